@@ -1,0 +1,1 @@
+//! Question → room → answer: the protocol.

@@ -1,0 +1,1 @@
+//! Bytes ↔ unchecked records; no geometry here.

@@ -1,0 +1,1 @@
+//! Isosurfaces of sampled functions: multilinear interpolation and the marching algorithms.

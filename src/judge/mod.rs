@@ -1,0 +1,1 @@
+//! The harness that judges a candidate against the oracle.

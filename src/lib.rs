@@ -1,0 +1,23 @@
+//! The exact answer that geometry code is checked against.
+//!
+//! | room | what it holds |
+//! |---|---|
+//! | [`number`] | exact numbers and enclosures: rational, ℚ(√d), intervals, polynomials, infinitesimals |
+//! | [`linear`] | points, vectors, matrices, determinants |
+//! | [`isosurface`] | multilinear interpolation, marching squares, triangles, cubes, tetrahedra |
+//! | [`mesh`] | facts about any polygon mesh |
+//! | [`format`] | bytes ↔ unchecked records |
+//! | [`answer`] | the question-and-answer protocol |
+//! | [`judge`] | the harness that judges a candidate |
+#![forbid(unsafe_code)]
+
+#[cfg(feature = "cli")]
+pub mod answer;
+#[cfg(feature = "cli")]
+pub mod format;
+pub mod isosurface;
+#[cfg(feature = "cli")]
+pub mod judge;
+pub mod linear;
+pub mod mesh;
+pub mod number;

@@ -1,0 +1,1 @@
+//! Points, vectors, matrices and determinants over any ring.
