@@ -4,6 +4,12 @@
 //! exact integers and rationals, and on numbers with an infinitesimal part. What it decides is the
 //! [`Sign`] of a value, never a rounded comparison.
 
+mod perturbed;
+mod rational;
+
+pub use perturbed::Perturbed;
+pub use rational::{Integer, Rational};
+
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
 
