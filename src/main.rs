@@ -1,2 +1,24 @@
 //! The command line, thin.
-fn main() {}
+use isoracle::isosurface::cell;
+use isoracle::number::Rational;
+use std::io::BufRead;
+fn main() {
+    for line in std::io::stdin().lock().lines() {
+        let v: serde_json::Value = serde_json::from_str(&line.unwrap()).unwrap();
+        let q = |x: &serde_json::Value| -> Rational { x.to_string().trim_matches('"').parse().unwrap() };
+        let i = &v["in"];
+        let Some(a) = i["values"].as_array() else { continue };
+        let vals: [Rational; 8] = std::array::from_fn(|k| q(&a[k]));
+        let tie = if i["tie"] == "below" { cell::Tie::Below } else { cell::Tie::Degenerate };
+        match cell::topology(&vals, &q(&i["isovalue"]), tie) {
+            Err(e) => println!("{}", serde_json::json!({"id":v["id"],"error":e.to_string()})),
+            Ok(t) => {
+                let l: Vec<Vec<_>> = t.loops.iter().map(|l| l.iter().map(|e| e.corners().map(|c| c.index())).collect()).collect();
+                let parts = |s: &cell::Side| -> Vec<Vec<usize>> { s.parts.iter().map(|p| p.iter().map(|c| c.index()).collect()).collect() };
+                println!("{}", serde_json::json!({"id":v["id"],"out":{"case":t.case.name(),"faces":t.decisions.faces,"loops":l,"chi":t.chi(),
+                "components":t.components.iter().map(|c| serde_json::json!({"loops":c.loops,"chi":c.chi,"genus":c.genus})).collect::<Vec<_>>(),
+                "b0_neg":t.negative.parts.len(),"b0_pos":t.positive.parts.len(),"b1_neg":t.negative.b1,"b1_pos":t.positive.b1,"neg_parts":parts(&t.negative),"pos_parts":parts(&t.positive)}}));
+            }
+        }
+    }
+}

@@ -1,1 +1,8 @@
 //! Isosurfaces of sampled functions: multilinear interpolation and the marching algorithms.
+
+pub mod boundary;
+pub mod cases;
+pub mod cell;
+pub mod cube;
+mod interior;
+mod partition;
