@@ -5,12 +5,12 @@
 //! face. Each is the sign of a polynomial in the corner values, so one text serves every number: cheap
 //! enclosures first, exact integers after, and numbers with an infinitesimal part for ties.
 
+use super::boundary;
 use super::cases::Case;
 use super::cube::{Corner, Edge, Face};
 use super::interior;
 pub use super::interior::Join;
 use super::partition::Partition;
-use super::boundary;
 use crate::number::{Enclosure, Integer, Perturbed, Rational, Sign};
 use thiserror::Error;
 

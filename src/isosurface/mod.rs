@@ -5,4 +5,8 @@ pub mod cases;
 pub mod cell;
 pub mod cube;
 mod interior;
+pub mod mesh;
 mod partition;
+pub mod patch;
+pub mod topology;
+pub mod volume;
