@@ -90,6 +90,14 @@ impl Decisions {
         parts
     }
 
+    /// Two corners that some cut joins, as a tunnel: the least corners of their parts on the boundary;
+    /// `None` where the boundary joins them already.
+    pub(super) fn as_tunnel(&self, join: Join) -> Option<Join> {
+        let mut parts = self.boundary_parts();
+        let [a, b] = join.corners.map(|c| parts.find(c.index()));
+        (a != b).then(|| Join { corners: [Corner::ALL[a.min(b)], Corner::ALL[a.max(b)]] })
+    }
+
     /// Which corners the cell connects: on its boundary and through its inside.
     pub fn parts(&self) -> Partition {
         let mut parts = self.boundary_parts();
@@ -127,13 +135,7 @@ pub fn decide<K: Enclosure>(values: &[K; 8]) -> Result<Decisions, Obstacle> {
     for face in Face::ALL {
         decisions.faces[face.index()] = face_decision(values, decisions.positive, face)?;
     }
-    let mut parts = decisions.boundary_parts();
-    if let Some(Join { corners: [a, b] }) = interior::join(values)? {
-        let (a, b) = (parts.find(a.index()), parts.find(b.index()));
-        if a != b {
-            decisions.tunnel = Some(Join { corners: [Corner::ALL[a.min(b)], Corner::ALL[a.max(b)]] });
-        }
-    }
+    decisions.tunnel = interior::join(values)?.and_then(|join| decisions.as_tunnel(join));
     Ok(decisions)
 }
 

@@ -71,7 +71,7 @@ pub fn extract(level: &Level) -> Result<Mesh, DegenerateCell> {
     Ok(mesh)
 }
 
-fn push(vertices: &mut Vec<Vertex>, vertex: Vertex) -> u32 {
+pub(super) fn push(vertices: &mut Vec<Vertex>, vertex: Vertex) -> u32 {
     vertices.push(vertex);
     u32::try_from(vertices.len() - 1).expect("fewer than 2³² vertices")
 }

@@ -3,10 +3,13 @@
 pub mod boundary;
 pub mod cases;
 pub mod cell;
+pub mod classes;
 pub mod cube;
+pub mod fast;
 mod interior;
 pub mod mesh;
 mod partition;
 pub mod patch;
+pub mod table;
 pub mod topology;
 pub mod volume;

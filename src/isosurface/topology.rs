@@ -136,6 +136,14 @@ impl Gathering<'_, '_> {
 ///
 /// Errors: a cell of which c is a critical value, unless ties are broken.
 pub fn topology(level: &Level) -> Result<GridTopology, DegenerateCell> {
+    gather(level, |cell| level.decisions(cell))
+}
+
+/// The same from given decisions.
+pub(super) fn gather(
+    level: &Level,
+    mut decisions: impl FnMut([usize; 3]) -> Result<Decisions, DegenerateCell>,
+) -> Result<GridTopology, DegenerateCell> {
     let samples = level.volume.len();
     let mut gathering = Gathering {
         level,
@@ -146,7 +154,7 @@ pub fn topology(level: &Level) -> Result<GridTopology, DegenerateCell> {
         border: Vec::new(),
     };
     for cell in level.volume.cells() {
-        gathering.add(cell, &level.decisions(cell)?);
+        gathering.add(cell, &decisions(cell)?);
     }
     Ok(gathering.totals())
 }

@@ -6,9 +6,11 @@
 
 mod perturbed;
 mod rational;
+mod word;
 
 pub use perturbed::Perturbed;
 pub use rational::{Integer, Rational};
+pub use word::Word;
 
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
