@@ -1,1 +1,3 @@
 //! The harness that judges a candidate against the oracle.
+
+pub mod report;

@@ -1,0 +1,148 @@
+//! What a run of the judge found: the record behind every form of report.
+
+use serde::Serialize;
+
+/// A whole run.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// The version of this record's layout.
+    pub report: u32,
+    /// What the candidate said of itself, and how it was started.
+    pub candidate: CandidateInfo,
+    /// The suite: "isosurface".
+    pub suite: String,
+    /// The seed of the random questions; the same seed asks the same questions.
+    pub seed: u64,
+    /// The verdict in one word.
+    pub verdict: Outcome,
+    /// The 33 cases, in Chernyaev's order: single cells.
+    pub cases: Vec<Row>,
+    /// The other groups: pairs, grids, near-degenerate, ties.
+    pub groups: Vec<Row>,
+    /// For each way of failing in each row, the smallest question found.
+    pub failures: Vec<Failure>,
+    /// The largest position error on a grid edge, in units in the last place of binary64 and of binary32.
+    pub position_error: PositionError,
+    /// Seconds that the candidate took for its answers, and the oracle for its own.
+    pub seconds: Seconds,
+}
+
+/// How the run ended for the candidate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// Every answer is right.
+    Passed,
+    /// At least one answer is wrong.
+    Wrong,
+    /// At least once it crashed, hung or spoke nonsense.
+    Broken,
+}
+
+/// A candidate, as it presents itself.
+#[derive(Clone, Debug, Serialize)]
+pub struct CandidateInfo {
+    /// From its hello.
+    pub name: String,
+    /// From its hello.
+    pub version: String,
+    /// The command that starts it.
+    pub command: Vec<String>,
+}
+
+/// One line of the table.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// A case's name ("6.1.2") or a group's ("pairs").
+    pub name: String,
+    /// How many questions were asked.
+    pub asked: usize,
+    /// How many were answered rightly.
+    pub passed: usize,
+    /// How many were answered wrongly.
+    pub wrong: usize,
+    /// How many ended in a crash, a hang or nonsense.
+    pub broken: usize,
+    /// How many the candidate declined.
+    pub unsupported: usize,
+    /// The faults found, by name, with how many questions show each.
+    pub faults: Vec<(String, usize)>,
+}
+
+/// The smallest question that shows one way of failing.
+#[derive(Clone, Debug, Serialize)]
+pub struct Failure {
+    /// The row that it belongs to.
+    pub row: String,
+    /// The case of the first wrong cell.
+    pub case: String,
+    /// The fault's name, such as "wrong-components".
+    pub fault: String,
+    /// The spec entry of the truth that is broken.
+    pub formula: String,
+    /// One sentence for each fault of this answer.
+    pub messages: Vec<String>,
+    /// The question.
+    pub question: QuestionRecord,
+    /// The invariants that differ: (what, expected, found).
+    pub differences: Vec<Difference>,
+    /// The true surface.
+    pub expected: Option<SurfaceRecord>,
+    /// The candidate's, where it answered with a mesh.
+    pub found: Option<SurfaceRecord>,
+    /// A command that shows it again.
+    pub command: String,
+}
+
+/// A question, as it was asked.
+#[derive(Clone, Debug, Serialize)]
+pub struct QuestionRecord {
+    /// The operation: "isosurface.mesh".
+    pub op: String,
+    /// The volume's shape.
+    pub shape: [usize; 3],
+    /// Its values, x fastest, exactly.
+    pub values: Vec<String>,
+    /// The isovalue, exactly.
+    pub isovalue: String,
+}
+
+/// An exact invariant that differs.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Difference {
+    /// What it is: "loops of cell [0, 0, 0]", "χ", "components", …
+    pub invariant: String,
+    /// The truth.
+    pub expected: String,
+    /// The candidate's.
+    pub found: String,
+}
+
+/// A triangle mesh for pictures.
+#[derive(Clone, Debug, Serialize)]
+pub struct SurfaceRecord {
+    /// Positions in grid coordinates, rounded.
+    pub vertices: Vec<[f64; 3]>,
+    /// Triangles.
+    pub faces: Vec<[u32; 3]>,
+}
+
+/// The largest position error on a grid edge.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct PositionError {
+    /// In units in the last place of binary64.
+    pub binary64_ulp: f64,
+    /// In units in the last place of binary32.
+    pub binary32_ulp: f64,
+}
+
+/// Where the time went.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Seconds {
+    /// Waiting for the candidate.
+    pub candidate: f64,
+    /// The oracle's plain answers to the same questions.
+    pub oracle: f64,
+    /// The whole run.
+    pub total: f64,
+}
