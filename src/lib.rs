@@ -4,9 +4,10 @@
 //! |---|---|
 //! | [`number`] | exact numbers and enclosures: rational, ℚ(√d), intervals, polynomials, infinitesimals |
 //! | [`linear`] | points, vectors, matrices, determinants |
+//! | [`partition`] | disjoint sets |
 //! | [`isosurface`] | multilinear interpolation, marching squares, triangles, cubes, tetrahedra |
 //! | [`mesh`] | facts about any polygon mesh |
-//! | [`format`] | bytes ↔ unchecked records |
+//! | [`format`](mod@format) | bytes ↔ unchecked records |
 //! | [`answer`] | the question-and-answer protocol |
 //! | [`judge`] | the harness that judges a candidate |
 #![forbid(unsafe_code)]
@@ -21,3 +22,4 @@ pub mod judge;
 pub mod linear;
 pub mod mesh;
 pub mod number;
+pub mod partition;

@@ -10,7 +10,7 @@ use super::cases::Case;
 use super::cube::{Corner, Edge, Face};
 use super::interior;
 pub use super::interior::Join;
-use super::partition::Partition;
+use crate::partition::Partition;
 use crate::number::{Enclosure, Integer, Perturbed, Rational, Sign};
 use thiserror::Error;
 

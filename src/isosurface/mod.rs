@@ -8,7 +8,6 @@ pub mod cube;
 pub mod fast;
 mod interior;
 pub mod mesh;
-mod partition;
 pub mod patch;
 pub mod table;
 pub mod topology;

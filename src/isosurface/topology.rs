@@ -3,7 +3,7 @@
 use super::boundary::arcs;
 use super::cell::{Decisions, assemble};
 use super::cube::{Corner, Edge, Face};
-use super::partition::Partition;
+use crate::partition::Partition;
 use super::volume::{DegenerateCell, GridEdge, Level};
 use std::collections::{BTreeMap, HashMap};
 
