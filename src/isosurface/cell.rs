@@ -10,8 +10,8 @@ use super::cases::Case;
 use super::cube::{Corner, Edge, Face};
 use super::interior;
 pub use super::interior::Join;
-use crate::partition::Partition;
 use crate::number::{Enclosure, Integer, Perturbed, Rational, Sign};
+use crate::partition::Partition;
 use thiserror::Error;
 
 /// Where the isovalue is a critical value, so that the topology of {f = c} is not stable.

@@ -3,8 +3,8 @@
 use super::boundary::arcs;
 use super::cell::{Decisions, assemble};
 use super::cube::{Corner, Edge, Face};
-use crate::partition::Partition;
 use super::volume::{DegenerateCell, GridEdge, Level};
+use crate::partition::Partition;
 use std::collections::{BTreeMap, HashMap};
 
 /// One component of an isosurface, ordered by its Euler characteristic, then its loops.

@@ -4,15 +4,36 @@
 //! exact integers and rationals, and on numbers with an infinitesimal part. What it decides is the
 //! [`Sign`] of a value, never a rounded comparison.
 
+mod algebraic;
+#[cfg(feature = "quickcheck")]
+mod arbitrary;
 pub mod binary;
 pub mod decimal;
+mod filter;
+mod interval;
 mod perturbed;
+mod polynomial;
+mod quadratic;
+mod radicand;
 mod rational;
-mod word;
+#[cfg(feature = "proptest")]
+pub mod strategy;
+mod sturm;
+mod surd;
 pub mod text;
+mod word;
 
+pub use algebraic::{Algebraic, real_roots};
+#[cfg(feature = "quickcheck")]
+pub use arbitrary::ArbitraryRational;
+pub use filter::F64Interval;
+pub use interval::Interval;
 pub use perturbed::Perturbed;
+pub use polynomial::Polynomial;
+pub use quadratic::{QuadraticRoots, quadratic_roots};
 pub use rational::{Integer, Rational};
+pub use sturm::SturmChain;
+pub use surd::{Surd, SurdError};
 pub use word::Word;
 
 use std::fmt::Debug;
