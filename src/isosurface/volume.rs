@@ -115,6 +115,30 @@ impl Volume {
         }
     }
 
+    /// The volume of −f.
+    pub fn negated(&self) -> Volume {
+        let samples = match &self.samples {
+            // −2³¹ has no negative among these integers.
+            Samples::Integers(values) if !values.contains(&i32::MIN) => {
+                Samples::Integers(values.iter().map(|v| -v).collect())
+            }
+            Samples::Floats(values) => Samples::Floats(values.iter().map(|v| -v).collect()),
+            Samples::Integers(_) | Samples::Rationals(_) => {
+                Samples::Rationals((0..self.len()).map(|i| -self.sample(i)).collect())
+            }
+        };
+        Volume { shape: self.shape, samples }
+    }
+
+    /// The part of the volume between two grid points, both included.
+    pub fn crop(&self, low: [usize; 3], high: [usize; 3]) -> Result<Volume, VolumeError> {
+        let shape = [0, 1, 2].map(|a| (high[a] + 1).saturating_sub(low[a]));
+        let [nx, ny, nz] = shape;
+        let points = (0..nz).flat_map(|k| (0..ny).flat_map(move |j| (0..nx).map(move |i| [i, j, k])));
+        let values = points.map(|p| self.sample(self.index([0, 1, 2].map(|a| p[a] + low[a])))).collect();
+        Volume::rationals(shape, values)
+    }
+
     /// The samples as integers, where they came as integers.
     pub(super) fn as_integers(&self) -> Option<&[i32]> {
         match &self.samples {

@@ -128,7 +128,7 @@ pub struct SurfaceRecord {
 }
 
 /// The largest position error on a grid edge.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct PositionError {
     /// In units in the last place of binary64.
     pub binary64_ulp: f64,

@@ -1,1 +1,4 @@
 //! Facts about any polygon mesh.
+
+pub mod defects;
+pub mod weld;
