@@ -4,8 +4,11 @@
 //! exact integers and rationals, and on numbers with an infinitesimal part. What it decides is the
 //! [`Sign`] of a value, never a rounded comparison.
 
+pub mod binary;
+pub mod decimal;
 mod perturbed;
 mod rational;
+pub mod text;
 
 pub use perturbed::Perturbed;
 pub use rational::{Integer, Rational};
@@ -90,6 +93,9 @@ pub trait Enclosure: Ring {
 
 /// An exact ordered field: [`Enclosure::known_sign`] is never `None`, and `Ord` is the field's order.
 pub trait OrderedField: Enclosure + Ord {
+    /// 1/x; `None` iff x = 0.
+    fn inverse(&self) -> Option<Self>;
+
     /// The sign of the number.
     fn sign(&self) -> Sign {
         self.known_sign().expect("an exact number has a sign")

@@ -27,4 +27,8 @@ impl Enclosure for Rational {
     }
 }
 
-impl OrderedField for Rational {}
+impl OrderedField for Rational {
+    fn inverse(&self) -> Option<Rational> {
+        (!self.is_zero()).then(|| self.clone().recip())
+    }
+}
