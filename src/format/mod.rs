@@ -139,8 +139,7 @@ impl Default for Limits {
 pub struct FormatError {
     /// The file.
     pub path: PathBuf,
-    /// What is wrong with it.
-    #[source]
+    /// What is wrong with it; part of this error's own message, so not its source too.
     pub problem: Problem,
 }
 

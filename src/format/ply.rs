@@ -184,7 +184,8 @@ fn has_one_index_list(face: &ElementDef) -> Result<(), Problem> {
     }
 }
 
-/// The rows of the elements, read one at a time: the library's own lists of maps take a kilobyte a triangle.
+/// The rows of the elements, read one at a time: the library's own maps take nine times the memory of the record
+/// (1.8 GiB for three million triangles).
 struct Rows<R> {
     reader: R,
     encoding: Stored,
