@@ -9,6 +9,7 @@
 //! | [`format`] | bytes ↔ unchecked records |
 //! | [`answer`] | the question-and-answer protocol |
 //! | [`judge`] | the harness that judges a candidate |
+//! | [`spec`] | the formulas that are checked, each with its verdict |
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "cli")]
@@ -21,3 +22,5 @@ pub mod judge;
 pub mod linear;
 pub mod mesh;
 pub mod number;
+#[cfg(feature = "cli")]
+pub mod spec;

@@ -1,5 +1,7 @@
 //! The command line, thin.
-use std::io;
-fn main() -> io::Result<()> {
-    isoracle::answer::serve(io::stdin().lock(), io::stdout())
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::main()
 }

@@ -145,7 +145,10 @@ pub fn answer(line: &[u8]) -> String {
     };
     match contained(|| out(&question.op, question.input()?)) {
         Ok(out) => out.line(&question.id),
-        Err(refusal) => refusal.line(&question.id),
+        Err(refusal) => {
+            tracing::debug!(id = %question.id, op = question.op, %refusal);
+            refusal.line(&question.id)
+        }
     }
 }
 

@@ -135,6 +135,7 @@ impl Display for InvalidField {
         match &self.problem {
             // Its message begins with the name of one more field.
             Problem::Volume(error) => write!(f, ".{error}"),
+            problem if self.steps.is_empty() => write!(f, "{problem}"),
             problem => write!(f, ": {problem}"),
         }
     }
