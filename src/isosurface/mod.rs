@@ -3,10 +3,16 @@
 pub mod boundary;
 pub mod cases;
 pub mod cell;
+pub mod critical;
 pub mod cube;
 mod interior;
 pub mod mesh;
+pub mod multilinear;
 mod partition;
 pub mod patch;
+pub mod polyline;
+pub mod square;
+pub mod tetrahedra;
 pub mod topology;
+pub mod triangle;
 pub mod volume;

@@ -4,14 +4,29 @@
 //! exact integers and rationals, and on numbers with an infinitesimal part. What it decides is the
 //! [`Sign`] of a value, never a rounded comparison.
 
+mod algebraic;
 pub mod binary;
 pub mod decimal;
+mod filter;
+mod interval;
 mod perturbed;
+mod polynomial;
+mod quadratic;
+mod radicand;
 mod rational;
+mod sturm;
+mod surd;
 pub mod text;
 
+pub use algebraic::{Algebraic, real_roots};
+pub use filter::F64Interval;
+pub use interval::Interval;
 pub use perturbed::Perturbed;
+pub use polynomial::Polynomial;
+pub use quadratic::{QuadraticRoots, quadratic_roots};
 pub use rational::{Integer, Rational};
+pub use sturm::SturmChain;
+pub use surd::{Surd, SurdError};
 
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};

@@ -6,6 +6,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// A polynomial in a positive infinitesimal ε. Its sign is that of its lowest non-zero coefficient,
 /// which is its sign for every small enough ε > 0 (NU-9).
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[doc(alias = "NU-9")]
 pub struct Perturbed<K> {
     /// Coefficients, the constant first; empty is zero.
     coefficients: Vec<K>,
