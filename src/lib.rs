@@ -10,6 +10,7 @@
 //! | [`format`](mod@format) | bytes ↔ unchecked records |
 //! | [`answer`] | the question-and-answer protocol |
 //! | [`judge`] | the harness that judges a candidate |
+//! | [`spec`] | the formulas that are checked, each with its verdict |
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "cli")]
@@ -23,3 +24,5 @@ pub mod linear;
 pub mod mesh;
 pub mod number;
 pub mod partition;
+#[cfg(feature = "cli")]
+pub mod spec;

@@ -1,0 +1,108 @@
+//! The operations of the family `isosurface`.
+
+use super::mesh::MeshOut;
+use super::message::{Out, Refusal};
+use super::value::{self, InvalidField, Object};
+use super::volume;
+use crate::isosurface::cell::{self, Side, Tie};
+use crate::isosurface::cube::{Corner, Edge};
+use crate::isosurface::volume::{Level, Volume};
+use crate::isosurface::{mesh, topology};
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct CellOut {
+    case: &'static str,
+    faces: [i8; 6],
+    loops: Vec<Vec<[usize; 2]>>,
+    components: Vec<ComponentOut>,
+    chi: i64,
+    b0_neg: usize,
+    b0_pos: usize,
+    b1_neg: i64,
+    b1_pos: i64,
+    neg_parts: Vec<Vec<usize>>,
+    pos_parts: Vec<Vec<usize>>,
+}
+
+#[derive(Serialize)]
+struct ComponentOut {
+    loops: Vec<usize>,
+    chi: i64,
+    genus: i64,
+}
+
+/// `isosurface.cell` in `{values:[8], isovalue, tie?}`.
+pub fn cell(input: &Object) -> Result<Out, Refusal> {
+    let values = value::field(input, "values", value::numbers)?;
+    let isovalue = value::field(input, "isovalue", value::number)?;
+    let topology = cell::topology(&values, &isovalue, tie(input)?)?;
+    Ok(Out::new(&CellOut {
+        chi: topology.chi(),
+        case: topology.case.name(),
+        faces: topology.decisions.faces,
+        loops: topology.loops.iter().map(|cycle| cycle.iter().map(corner_pair).collect()).collect(),
+        components: topology
+            .components
+            .into_iter()
+            .map(|component| ComponentOut { loops: component.loops, chi: component.chi, genus: component.genus })
+            .collect(),
+        b0_neg: topology.negative.parts.len(),
+        b0_pos: topology.positive.parts.len(),
+        b1_neg: topology.negative.b1,
+        b1_pos: topology.positive.b1,
+        neg_parts: parts(&topology.negative),
+        pos_parts: parts(&topology.positive),
+    }))
+}
+
+fn corner_pair(edge: &Edge) -> [usize; 2] {
+    edge.corners().map(Corner::index)
+}
+
+fn parts(side: &Side) -> Vec<Vec<usize>> {
+    side.parts.iter().map(|part| part.iter().map(|corner| corner.index()).collect()).collect()
+}
+
+#[derive(Serialize)]
+struct TopologyOut {
+    chi: i64,
+    components: usize,
+    boundary_loops: i64,
+    b0_neg: usize,
+    b0_pos: usize,
+    edge_crossings: usize,
+    component_list: Vec<[i64; 3]>,
+}
+
+/// `isosurface.topology` in `{volume, isovalue, tie?}`.
+pub fn topology(input: &Object) -> Result<Out, Refusal> {
+    let volume = value::field(input, "volume", volume::read)?;
+    let topology = topology::topology(&level(input, &volume)?)?;
+    Ok(Out::new(&TopologyOut {
+        chi: topology.chi(),
+        components: topology.components.len(),
+        boundary_loops: topology.boundary_loops(),
+        b0_neg: topology.b0_negative,
+        b0_pos: topology.b0_positive,
+        edge_crossings: topology.edge_crossings,
+        component_list: topology.components.iter().map(|c| [c.chi, c.boundary_loops, c.genus]).collect(),
+    }))
+}
+
+/// `isosurface.mesh` in `{volume, isovalue, tie?}`.
+pub fn mesh(input: &Object) -> Result<Out, Refusal> {
+    let volume = value::field(input, "volume", volume::read)?;
+    let level = level(input, &volume)?;
+    Ok(Out::new(&MeshOut::of(&mesh::extract(&level)?, &level)))
+}
+
+fn level<'a>(input: &Object, volume: &'a Volume) -> Result<Level<'a>, InvalidField> {
+    Ok(Level { volume, isovalue: value::field(input, "isovalue", value::number)?, tie: tie(input)? })
+}
+
+/// A tie is degenerate, unless the question says `"tie":"below"`.
+fn tie(input: &Object) -> Result<Tie, InvalidField> {
+    let tie = value::optional(input, "tie", |tie| value::word(tie, "\"below\"", &[("below", Tie::Below)]))?;
+    Ok(tie.unwrap_or_default())
+}

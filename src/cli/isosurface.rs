@@ -1,0 +1,112 @@
+//! `isoracle isosurface`.
+
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use isoracle::answer::mesh::record;
+use isoracle::answer::value::InvalidField;
+use isoracle::answer::volume;
+use isoracle::format::{self, FormatError};
+use isoracle::isosurface::cell;
+use isoracle::isosurface::mesh;
+use isoracle::isosurface::volume::{DegenerateCell, Level};
+use isoracle::number::Rational;
+use isoracle::number::text::{self, NumberError};
+use miette::Diagnostic;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Duration;
+use thiserror::Error;
+
+/// Mesh the isosurface {f = c} of a volume: homeomorphic to it, vertices on grid edges correctly rounded.
+///
+/// f is the piecewise trilinear function of the samples. The mesh is a 2-manifold whose boundary lies on the
+/// border of the grid, with its normals toward f > c; grid point (i, j, k) lies at (i, j, k).
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct Isosurface {
+    /// The samples: a .npy, .nrrd or .nhdr file.
+    #[arg(long, value_name = "FILE")]
+    volume: PathBuf,
+    /// c, exactly: 40, -1/3, 0.1 (one tenth, not the binary64 nearest to it), 0x1.8p-3.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = number)]
+    isovalue: Rational,
+    /// Where to write the mesh: a .ply, .obj or .stl file. STL has binary32 positions alone.
+    #[arg(long, value_name = "FILE", value_parser = mesh_path)]
+    out: PathBuf,
+    /// What to do where c is a critical value: `below` takes c − ε for every small enough ε > 0 instead.
+    #[arg(long, value_name = "HOW")]
+    tie: Option<Tie>,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  $ isoracle isosurface --volume head.nrrd --isovalue 60.5 --out head.ply
+  $ isoracle isosurface --volume head.nrrd --isovalue 60 --tie below --out head.stl";
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Tie {
+    Below,
+}
+
+#[derive(Debug, Error, Diagnostic)]
+enum Failure {
+    #[error("--volume: {0}")]
+    #[diagnostic(help(
+        "a volume is a .npy, .nrrd or .nhdr file of real numbers on three axes, at least 2 samples each"
+    ))]
+    Volume(InvalidField),
+    #[error("--isovalue: {0}")]
+    #[diagnostic(help(
+        "the topology of the isosurface is not defined there; `--tie below` takes an isovalue smaller by an infinitesimal"
+    ))]
+    Degenerate(DegenerateCell),
+    #[error("--out: {0}")]
+    #[diagnostic(help("the mesh could not be written"))]
+    Out(FormatError),
+}
+
+impl Isosurface {
+    pub fn run(self) -> miette::Result<ExitCode> {
+        let progress = spinner(format!("reading {}", self.volume.display()));
+        let volume = volume::from_file(&self.volume).map_err(Failure::Volume)?;
+        tracing::info!(shape = ?volume.shape(), "read {}", self.volume.display());
+        let tie = self.tie.map_or(cell::Tie::Degenerate, |Tie::Below| cell::Tie::Below);
+        let level = Level { volume: &volume, isovalue: self.isovalue, tie };
+        let cells: usize = volume.shape().iter().map(|n| n - 1).product();
+        progress.set_message(format!("meshing {cells} cells"));
+        let mesh = mesh::extract(&level).map_err(Failure::Degenerate)?;
+        progress.set_message(format!("writing {}", self.out.display()));
+        let record = record(&mesh, &level);
+        format::write_mesh(&self.out, &record).map_err(Failure::Out)?;
+        progress.finish_and_clear();
+        let (vertices, triangles) = (record.vertices.len(), record.faces.len());
+        eprintln!("{}: {vertices} vertices, {triangles} triangles", self.out.display());
+        Ok(ExitCode::SUCCESS)
+    }
+}
+
+/// A sign of life on a terminal; nothing elsewhere.
+fn spinner(message: String) -> ProgressBar {
+    let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})").expect("the template is sound");
+    let progress = ProgressBar::new_spinner().with_style(style).with_message(message);
+    progress.enable_steady_tick(Duration::from_millis(100));
+    progress
+}
+
+fn number(text: &str) -> Result<Rational, NumberError> {
+    text::parse(text)
+}
+
+#[derive(Debug, Error)]
+#[error("a mesh is written as .ply, .obj or .stl")]
+struct NotAMeshFile;
+
+/// The extension is checked before the work begins.
+fn mesh_path(text: &str) -> Result<PathBuf, NotAMeshFile> {
+    let path = PathBuf::from(text);
+    let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+    match extension.as_deref() {
+        Some("ply" | "obj" | "stl") => Ok(path),
+        Some(_) | None => Err(NotAMeshFile),
+    }
+}

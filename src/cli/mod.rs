@@ -1,0 +1,73 @@
+//! The command line: a file a subcommand.
+//!
+//! Exit codes: 0 it is so; 1 it is refuted, or wrong; 2 the command line or a file cannot be used; 3 the
+//! candidate broke.
+
+mod answer;
+mod isosurface;
+mod spec;
+
+use clap::{ArgAction, Parser, Subcommand};
+use std::io::{self, IsTerminal};
+use std::process::ExitCode;
+use tracing_subscriber::filter::{LevelFilter, Targets};
+use tracing_subscriber::prelude::*;
+
+/// The exact answer that geometry code is checked against.
+#[derive(Parser)]
+#[command(name = "isoracle", version, arg_required_else_help = true, after_help = AFTER_HELP)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    /// Say more on stderr; twice, and three times, even more. RUST_LOG has the last word.
+    #[arg(short, long, global = true, action = ArgAction::Count)]
+    verbose: u8,
+}
+
+const AFTER_HELP: &str = "\
+Exit codes: 0 it is so, 1 it is refuted, 2 the command line or a file cannot be used, 3 the candidate broke.";
+
+#[derive(Subcommand)]
+enum Command {
+    Answer(answer::Answer),
+    Isosurface(isosurface::Isosurface),
+    Spec(spec::Spec),
+}
+
+const UNUSABLE: u8 = 2;
+
+/// Runs the command line of this process.
+pub fn main() -> ExitCode {
+    let cli = Cli::parse();
+    log_to_stderr(cli.verbose);
+    let outcome = match cli.command {
+        Command::Answer(answer) => answer.run(),
+        Command::Isosurface(isosurface) => isosurface.run(),
+        Command::Spec(spec) => spec.run(),
+    };
+    match outcome {
+        Ok(code) => code,
+        // Whoever reads stdout has seen enough.
+        Err(report) if is_broken_pipe(&report) => ExitCode::SUCCESS,
+        Err(report) => {
+            eprintln!("{report:?}");
+            ExitCode::from(UNUSABLE)
+        }
+    }
+}
+
+fn is_broken_pipe(report: &miette::Report) -> bool {
+    report.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
+        || report.chain().any(|cause| {
+            cause.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
+        })
+}
+
+fn log_to_stderr(verbose: u8) {
+    let level =
+        [LevelFilter::WARN, LevelFilter::INFO, LevelFilter::DEBUG, LevelFilter::TRACE][usize::from(verbose.min(3))];
+    let asked = std::env::var("RUST_LOG").ok().and_then(|rules| rules.parse::<Targets>().ok());
+    let targets = asked.unwrap_or_else(|| Targets::new().with_default(level));
+    let lines = tracing_subscriber::fmt::layer().with_writer(io::stderr).with_ansi(io::stderr().is_terminal());
+    tracing_subscriber::registry().with(lines.with_filter(targets)).init();
+}
