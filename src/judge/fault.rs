@@ -28,7 +28,9 @@ pub enum Fault {
     #[error("{}: {}", .0.name(), describe(.0))]
     Defect(Defect),
     /// A grid edge whose ends lie on one side carries a vertex.
-    #[error("vertex {vertex} lies on a grid edge that the surface does not cross, at grid point {low:?} along axis {axis}")]
+    #[error(
+        "vertex {vertex} lies on a grid edge that the surface does not cross, at grid point {low:?} along axis {axis}"
+    )]
     StrayVertex {
         /// Which vertex.
         vertex: usize,

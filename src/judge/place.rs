@@ -84,7 +84,9 @@ impl Place {
                 let point = level.volume.point(edge.low as usize);
                 std::array::from_fn(|a| if a == usize::from(edge.axis) { [point[a]; 2] } else { around(point[a], a) })
             }
-            Place::Face { low, axis } => std::array::from_fn(|a| if a == axis { around(low[a], a) } else { [low[a]; 2] }),
+            Place::Face { low, axis } => {
+                std::array::from_fn(|a| if a == axis { around(low[a], a) } else { [low[a]; 2] })
+            }
             Place::Inside(cell) => cell.map(|i| [i; 2]),
         }
     }
@@ -92,7 +94,9 @@ impl Place {
     /// Whether the place lies on the boundary plane of the cell with this coordinate fixed.
     pub fn on_plane(&self, level: &Level, axis: usize, at: usize) -> bool {
         match *self {
-            Place::Crossing(edge) => usize::from(edge.axis) != axis && level.volume.point(edge.low as usize)[axis] == at,
+            Place::Crossing(edge) => {
+                usize::from(edge.axis) != axis && level.volume.point(edge.low as usize)[axis] == at
+            }
             Place::Face { low, axis: normal } => normal == axis && low[axis] == at,
             Place::Inside(_) => false,
         }
@@ -146,7 +150,8 @@ impl Default for Tolerance {
 
 /// Finds the place of every vertex of a mesh.
 pub fn places(level: &Level, sides: &Sides, positions: &Positions, tolerance: Tolerance) -> Places {
-    let mut places = Places { of: Vec::with_capacity(positions.len()), faults: Vec::new(), error: PositionError::default() };
+    let mut places =
+        Places { of: Vec::with_capacity(positions.len()), faults: Vec::new(), error: PositionError::default() };
     let mut at_grid_points = Vec::new();
     for vertex in 0..positions.len() {
         let place = match positions.exact(vertex) {
@@ -213,7 +218,9 @@ fn place(level: &Level, vertex: usize, position: &[Rational; 3]) -> Result<Found
         _ => {
             let along: Vec<usize> = (0..3).filter(|&axis| between[axis]).collect();
             match along[..] {
-                [axis] => Found::Place(Place::Crossing(GridEdge { low: level.volume.index(low) as u32, axis: axis as u8 })),
+                [axis] => {
+                    Found::Place(Place::Crossing(GridEdge { low: level.volume.index(low) as u32, axis: axis as u8 }))
+                }
                 _ => {
                     let axis = (0..3).find(|&axis| !between[axis]).expect("one coordinate is integral");
                     Found::Place(Place::Face { low, axis })

@@ -63,7 +63,11 @@ pub fn welded(mesh: &CandidateMesh) -> CandidateMesh {
     }
 }
 
-pub(super) fn judge_indexed(level: &Level, mesh: &CandidateMesh, tolerance: Tolerance) -> Result<Verdict, DegenerateCell> {
+pub(super) fn judge_indexed(
+    level: &Level,
+    mesh: &CandidateMesh,
+    tolerance: Tolerance,
+) -> Result<Verdict, DegenerateCell> {
     let sides = Sides::new(level);
     let defects = defects(mesh.positions.len(), &mesh.triangles);
     let is_readable = !defects.iter().any(|d| matches!(d, Defect::IndexOutOfRange { .. }));
@@ -118,7 +122,11 @@ fn crossings(level: &Level, sides: &Sides, places: &[Option<Place>]) -> Vec<Faul
 }
 
 /// The triangles of each cell, and the faults of those that no one cell has.
-fn by_cell(level: &Level, places: &[Option<Place>], triangles: &[Triangle]) -> (HashMap<usize, Vec<Triangle>>, Vec<Fault>) {
+fn by_cell(
+    level: &Level,
+    places: &[Option<Place>],
+    triangles: &[Triangle],
+) -> (HashMap<usize, Vec<Triangle>>, Vec<Fault>) {
     let mut by_cell: HashMap<usize, Vec<Triangle>> = HashMap::new();
     let mut faults = Vec::new();
     for (number, triangle) in triangles.iter().enumerate() {
@@ -190,7 +198,8 @@ impl CellMesh<'_, '_> {
             return;
         };
         let cycles = |loops: &[(Loop, u32)]| -> Vec<Loop> { loops.iter().map(|(cycle, _)| cycle.clone()).collect() };
-        let mut reversed: Vec<Loop> = cycles(&found).into_iter().map(|cycle| least_first(cycle.into_iter().rev().collect())).collect();
+        let mut reversed: Vec<Loop> =
+            cycles(&found).into_iter().map(|cycle| least_first(cycle.into_iter().rev().collect())).collect();
         reversed.sort();
         if cycles(&found) == truth.loops {
             if let Some(difference) = self.component_difference(truth, &found) {

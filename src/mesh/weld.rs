@@ -28,5 +28,8 @@ pub fn is_soup(vertices: usize, triangles: &[Triangle]) -> bool {
     let mut used = vec![false; vertices];
     !triangles.is_empty()
         && vertices == 3 * triangles.len()
-        && triangles.iter().flatten().all(|&v| used.get_mut(v as usize).is_some_and(|seen| !std::mem::replace(seen, true)))
+        && triangles
+            .iter()
+            .flatten()
+            .all(|&v| used.get_mut(v as usize).is_some_and(|seen| !std::mem::replace(seen, true)))
 }
