@@ -4,7 +4,11 @@
 //! candidate broke.
 
 mod answer;
+mod candidate;
+mod check;
 mod isosurface;
+mod judge;
+mod progress;
 mod spec;
 
 use clap::{ArgAction, Parser, Subcommand};
@@ -30,7 +34,10 @@ Exit codes: 0 it is so, 1 it is refuted, 2 the command line or a file cannot be 
 #[derive(Subcommand)]
 enum Command {
     Answer(answer::Answer),
+    Candidate(candidate::Candidate),
+    Check(check::Check),
     Isosurface(isosurface::Isosurface),
+    Judge(judge::Judge),
     Spec(spec::Spec),
 }
 
@@ -42,7 +49,10 @@ pub fn main() -> ExitCode {
     log_to_stderr(cli.verbose);
     let outcome = match cli.command {
         Command::Answer(answer) => answer.run(),
+        Command::Candidate(candidate) => candidate.run(),
+        Command::Check(check) => check.run(),
         Command::Isosurface(isosurface) => isosurface.run(),
+        Command::Judge(judge) => judge.run(),
         Command::Spec(spec) => spec.run(),
     };
     match outcome {
