@@ -5,6 +5,8 @@
 //! [`Sign`] of a value, never a rounded comparison.
 
 mod algebraic;
+#[cfg(feature = "quickcheck")]
+mod arbitrary;
 pub mod binary;
 pub mod decimal;
 mod filter;
@@ -14,11 +16,15 @@ mod polynomial;
 mod quadratic;
 mod radicand;
 mod rational;
+#[cfg(feature = "proptest")]
+pub mod strategy;
 mod sturm;
 mod surd;
 pub mod text;
 
 pub use algebraic::{Algebraic, real_roots};
+#[cfg(feature = "quickcheck")]
+pub use arbitrary::ArbitraryRational;
 pub use filter::F64Interval;
 pub use interval::Interval;
 pub use perturbed::Perturbed;

@@ -102,8 +102,7 @@ impl Polynomial {
         }
     }
 
-    /// A power of two B such that every complex root z has |z| < B: Cauchy's 1 + max |aᵢ/aₙ|, rounded up; 1 where there are no
-    /// roots. NU-16.
+    /// A power of two B such that every complex root z has |z| < B: Cauchy's 1 + max |aᵢ/aₙ|, rounded up. NU-16.
     pub fn root_bound(&self) -> Rational {
         let Some((leading, others)) = self.coefficients.split_last() else { return Rational::from(1) };
         let largest = others.iter().map(|a| Rational::from(a / leading).abs()).max().unwrap_or_default();

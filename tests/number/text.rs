@@ -374,6 +374,14 @@ mod nu_6 {
         assert_eq!(ulp_error_f32(f32::NAN, &q(0, 1)), Err(NumberError::NotANumber));
     }
 
+    #[test]
+    fn half_a_unit_is_not_enough_next_below_a_power_of_two() {
+        let y = q(1, 1) - two_to(-55);
+        let neighbour = 1.0_f64.next_down();
+        assert_eq!(nearest_f64(&y), 1.0);
+        assert_eq!(ulp_error(neighbour, &y), Ok(q(3, 8)));
+    }
+
     proptest! {
         #[test]
         fn a_correctly_rounded_value_is_within_half_a_unit_and_a_step_is_one(p: i64, d in 1..i64::MAX, e in -1100..900_i32) {
