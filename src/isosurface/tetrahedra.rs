@@ -48,7 +48,7 @@ fn kuhn(from: Corner) -> Vec<[Corner; 4]> {
 }
 
 fn five(parity: usize) -> Vec<[Corner; 4]> {
-    let mut tetrahedra = vec![if parity == 0 { [0, 3, 5, 6] } else { [1, 4, 2, 7] }.map(|c| Corner::ALL[c])];
+    let mut tetrahedra = vec![if parity == 0 { [0, 5, 3, 6] } else { [1, 2, 4, 7] }.map(|c| Corner::ALL[c])];
     for c in Corner::ALL.into_iter().filter(|c| coordinate_sum(*c) % 2 != parity) {
         let [x, y, z] = [0, 1, 2].map(|axis| c.across(axis));
         tetrahedra.push(if coordinate_sum(c) % 2 == 0 { [c, x, y, z] } else { [c, y, x, z] });
