@@ -12,6 +12,7 @@ mod progress;
 mod spec;
 
 use clap::{ArgAction, Parser, Subcommand};
+use miette::IntoDiagnostic;
 use std::io::{self, IsTerminal};
 use std::process::ExitCode;
 use tracing_subscriber::filter::{LevelFilter, Targets};
@@ -57,8 +58,6 @@ pub fn main() -> ExitCode {
     };
     match outcome {
         Ok(code) => code,
-        // Whoever reads stdout has seen enough.
-        Err(report) if is_broken_pipe(&report) => ExitCode::SUCCESS,
         Err(report) => {
             eprintln!("{report:?}");
             ExitCode::from(UNUSABLE)
@@ -66,11 +65,12 @@ pub fn main() -> ExitCode {
     }
 }
 
-fn is_broken_pipe(report: &miette::Report) -> bool {
-    report.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
-        || report.chain().any(|cause| {
-            cause.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
-        })
+/// Writing to stdout; whoever stopped reading it has seen enough, which is no failure.
+fn to_stdout(outcome: io::Result<()>) -> miette::Result<ExitCode> {
+    match outcome {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error).into_diagnostic(),
+        Err(_) | Ok(()) => Ok(ExitCode::SUCCESS),
+    }
 }
 
 fn log_to_stderr(verbose: u8) {
