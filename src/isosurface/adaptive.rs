@@ -38,7 +38,7 @@
 
 use super::bernstein::{Bernstein, Extent, Part, Region};
 use super::cube::{Corner, Edge, Face};
-use super::partition::Partition;
+use crate::partition::Partition;
 use super::topology::SurfaceComponent;
 use super::trivariate::Trivariate;
 use crate::number::{Rational, Sign};
