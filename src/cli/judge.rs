@@ -6,13 +6,16 @@ use isoracle::answer::value::{self, InvalidField};
 use isoracle::answer::volume;
 use isoracle::isosurface::cell::Tie;
 use isoracle::judge::candidate::{Breakdown, Process};
+use isoracle::judge::html::{Section, page};
+use isoracle::judge::junit::junit;
 use isoracle::judge::place::Tolerance;
-use isoracle::judge::report::{Outcome, Report};
+use isoracle::judge::report::{Outcome, Report, json};
 use isoracle::judge::run::{self, Judgement, Settings};
 use isoracle::judge::suite::{Question, Row};
+use isoracle::judge::text::text;
 use miette::{Diagnostic, IntoDiagnostic};
 use std::io::{self, IsTerminal};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 use thiserror::Error;
@@ -66,7 +69,7 @@ enum Suite {
 }
 
 #[derive(Debug, Error, Diagnostic)]
-enum Failure {
+pub enum Failure {
     #[error("the candidate cannot be judged: {0}")]
     #[diagnostic(help(
         "a candidate answers {{\"id\":1,\"op\":\"hello\",\"in\":{{\"protocol\":1}}}} with one line of JSON; examples/candidates/README.md shows how"
@@ -106,7 +109,11 @@ impl Judge {
                 return Ok(ExitCode::from(BROKEN));
             }
         };
-        write(&report, self.report.as_deref())?;
+        match &self.report {
+            Some(folder) => write_report(&report, folder, &[])?,
+            None => std::fs::write("report.json", json(&report)).into_diagnostic()?,
+        }
+        print!("{}", text(&report, io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none()));
         Ok(match report.verdict {
             Outcome::Passed => ExitCode::SUCCESS,
             Outcome::Wrong => ExitCode::from(WRONG),
@@ -115,23 +122,13 @@ impl Judge {
     }
 }
 
-fn write(report: &Report, folder: Option<&std::path::Path>) -> miette::Result<()> {
-    let json = serde_json::to_string_pretty(report).expect("a report is plain");
-    match folder {
-        None => std::fs::write("report.json", json).into_diagnostic()?,
-        Some(folder) => {
-            std::fs::create_dir_all(folder).into_diagnostic()?;
-            std::fs::write(folder.join("report.json"), json).into_diagnostic()?;
-        }
-    }
-    let _ = io::stdout().is_terminal();
-    for row in report.cases.iter().chain(&report.groups) {
-        println!(
-            "{:16} {:5} {:5} {:5} {:5} {:?}",
-            row.name, row.asked, row.passed, row.wrong, row.unsupported, row.faults
-        );
-    }
-    Ok(())
+/// Writes every form of a report into a folder.
+pub fn write_report(report: &Report, folder: &Path, extra: &[Section]) -> miette::Result<()> {
+    std::fs::create_dir_all(folder).into_diagnostic()?;
+    let write = |name: &str, text: String| std::fs::write(folder.join(name), text).into_diagnostic();
+    write("report.json", json(report))?;
+    write("report.html", page(report, extra))?;
+    write("report.xml", junit(report))
 }
 
 /// Asks a question that a report quotes, and says what is wrong with the answer.

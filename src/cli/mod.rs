@@ -6,6 +6,7 @@
 mod answer;
 mod candidate;
 mod check;
+mod demo;
 mod isosurface;
 mod judge;
 mod progress;
@@ -37,6 +38,7 @@ enum Command {
     Answer(answer::Answer),
     Candidate(candidate::Candidate),
     Check(check::Check),
+    Demo(demo::Demo),
     Isosurface(isosurface::Isosurface),
     Judge(judge::Judge),
     Spec(spec::Spec),
@@ -52,6 +54,7 @@ pub fn main() -> ExitCode {
         Command::Answer(answer) => answer.run(),
         Command::Candidate(candidate) => candidate.run(),
         Command::Check(check) => check.run(),
+        Command::Demo(demo) => demo.run(),
         Command::Isosurface(isosurface) => isosurface.run(),
         Command::Judge(judge) => judge.run(),
         Command::Spec(spec) => spec.run(),

@@ -38,10 +38,10 @@
 
 use super::bernstein::{Bernstein, Extent, Part, Region};
 use super::cube::{Corner, Edge, Face};
-use crate::partition::Partition;
 use super::topology::SurfaceComponent;
 use super::trivariate::Trivariate;
 use crate::number::{Rational, Sign};
+use crate::partition::Partition;
 use std::collections::{BTreeMap, HashMap};
 use thiserror::Error;
 
