@@ -1,5 +1,7 @@
 //! Isosurfaces of sampled functions: multilinear interpolation and the marching algorithms.
 
+pub mod adaptive;
+pub mod bernstein;
 pub mod boundary;
 pub mod cases;
 pub mod cell;
@@ -17,4 +19,5 @@ pub mod table;
 pub mod tetrahedra;
 pub mod topology;
 pub mod triangle;
+pub mod trivariate;
 pub mod volume;
