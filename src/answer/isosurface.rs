@@ -2,13 +2,54 @@
 
 use super::mesh::MeshOut;
 use super::message::{Out, Refusal};
-use super::value::{self, InvalidField, Object};
+use super::value::{self, Exact, InvalidField, Object, Problem};
 use super::volume;
 use crate::isosurface::cell::{self, Side, Tie};
 use crate::isosurface::cube::{Corner, Edge};
+use crate::isosurface::polyline::{self, Raster};
+use crate::isosurface::square::{self, SquareCorner, SquareEdge};
+use crate::isosurface::tetrahedra::{self, Decomposition};
 use crate::isosurface::volume::{Level, Volume};
-use crate::isosurface::{mesh, topology};
+use crate::isosurface::{mesh, topology, triangle};
 use serde::Serialize;
+
+#[derive(Serialize)]
+struct SquareOut {
+    saddle: Option<SaddleOut>,
+    determinant_sign: i8,
+    segments: Vec<[[usize; 2]; 2]>,
+    crossings: Vec<CrossingOut>,
+}
+
+#[derive(Serialize)]
+struct SaddleOut {
+    u: Exact,
+    v: Exact,
+    value: Exact,
+}
+
+#[derive(Serialize)]
+struct CrossingOut {
+    edge: [usize; 2],
+    t: Exact,
+}
+
+/// `isosurface.square` in `{values:[g00,g10,g01,g11], isovalue, tie?}`.
+pub fn square(input: &Object) -> Result<Out, Refusal> {
+    let values = value::field(input, "values", value::numbers)?;
+    let isovalue = value::field(input, "isovalue", value::number)?;
+    let contour = square::contour(&values, &isovalue, tie(input)?)?;
+    let ends = |edge: SquareEdge| edge.corners().map(SquareCorner::index);
+    let saddle =
+        contour.saddle.map(|saddle| SaddleOut { u: Exact(saddle.u), v: Exact(saddle.v), value: Exact(saddle.value) });
+    let crossings = contour.crossings.into_iter();
+    Ok(Out::new(&SquareOut {
+        saddle,
+        determinant_sign: contour.determinant_sign.value(),
+        segments: contour.segments.into_iter().map(|segment| segment.map(ends)).collect(),
+        crossings: crossings.map(|c| CrossingOut { edge: ends(c.edge), t: Exact(c.t) }).collect(),
+    }))
+}
 
 #[derive(Serialize)]
 struct CellOut {
@@ -95,6 +136,45 @@ pub fn mesh(input: &Object) -> Result<Out, Refusal> {
     let volume = value::field(input, "volume", volume::read)?;
     let level = level(input, &volume)?;
     Ok(Out::new(&MeshOut::of(&mesh::extract(&level)?, &level)))
+}
+
+#[derive(Serialize)]
+struct PolylineOut {
+    vertices: Vec<[Exact; 2]>,
+    segments: Vec<[u32; 2]>,
+}
+
+#[derive(Clone, Copy)]
+enum Method {
+    Squares,
+    Triangles,
+}
+
+/// `isosurface.polyline` in `{shape:[nx,ny], values, isovalue, method:"squares"|"triangles", tie?}`.
+pub fn polyline(input: &Object) -> Result<Out, Refusal> {
+    let words = [("squares", Method::Squares), ("triangles", Method::Triangles)];
+    let method = value::field(input, "method", |m| value::word(m, "\"squares\" or \"triangles\"", &words))?;
+    let shape = value::field(input, "shape", value::shape)?;
+    let values = value::field(input, "values", |values| value::items(values, value::number))?;
+    let isovalue = value::field(input, "isovalue", value::number)?;
+    let raster = Raster::new(shape, values).map_err(|error| InvalidField::here(Problem::Raster(error)))?;
+    let polyline = match method {
+        Method::Squares => polyline::squares(&raster, &isovalue, tie(input)?)?,
+        Method::Triangles => triangle::triangles(&raster, &isovalue, tie(input)?)?,
+    };
+    Ok(Out::new(&PolylineOut {
+        vertices: polyline.vertices.into_iter().map(|position| position.map(Exact)).collect(),
+        segments: polyline.segments,
+    }))
+}
+
+/// `isosurface.tetrahedra` in `{volume, isovalue, tie?}`: six Kuhn tetrahedra a cell, around the diagonal from
+/// corner 0 to corner 7.
+pub fn tetrahedra(input: &Object) -> Result<Out, Refusal> {
+    let volume = value::field(input, "volume", volume::read)?;
+    let level = level(input, &volume)?;
+    let mesh = tetrahedra::extract(&level, Decomposition::default())?;
+    Ok(Out::new(&MeshOut::of_tetrahedra(&mesh, &level)))
 }
 
 fn level<'a>(input: &Object, volume: &'a Volume) -> Result<Level<'a>, InvalidField> {

@@ -3,6 +3,7 @@
 use super::value::Exact;
 use crate::format::{MeshRecord, Precision};
 use crate::isosurface::mesh::Mesh;
+use crate::isosurface::tetrahedra::TetrahedraMesh;
 use crate::isosurface::volume::Level;
 use crate::number::binary::nearest_f64;
 use serde::Serialize;
@@ -18,6 +19,12 @@ impl<'a> MeshOut<'a> {
     /// An isosurface mesh of a level.
     pub fn of(mesh: &'a Mesh, level: &Level) -> MeshOut<'a> {
         let vertices = mesh.vertices.iter().map(|vertex| level.position(vertex).map(Exact)).collect();
+        MeshOut { vertices, faces: &mesh.triangles }
+    }
+
+    /// The surface of marching tetrahedra of a level.
+    pub fn of_tetrahedra(mesh: &'a TetrahedraMesh, level: &Level) -> MeshOut<'a> {
+        let vertices = mesh.vertices.iter().map(|pair| level.crossing_between(*pair).map(Exact)).collect();
         MeshOut { vertices, faces: &mesh.triangles }
     }
 }

@@ -2,6 +2,10 @@
 
 use super::value::{InvalidField, Object};
 use crate::isosurface::cell::Degenerate;
+use crate::isosurface::polyline::DegenerateGridSquare;
+use crate::isosurface::square::DegenerateSquare;
+use crate::isosurface::tetrahedra::DegenerateSample;
+use crate::isosurface::triangle::DegeneratePoint;
 use crate::isosurface::volume::DegenerateCell;
 use crate::number::Rational;
 use serde::{Deserialize, Serialize};
@@ -63,22 +67,34 @@ pub enum Refusal {
     /// The isovalue is a critical value of a cell of the volume.
     #[error("{0}")]
     DegenerateCell(Box<DegenerateCell>),
+    /// The isovalue is a critical value of the square.
+    #[error("{0}")]
+    DegenerateSquare(Box<DegenerateSquare>),
+    /// The isovalue is a critical value of a square of the raster.
+    #[error("{0}")]
+    DegenerateGridSquare(Box<DegenerateGridSquare>),
+    /// A sample of the raster equals the isovalue.
+    #[error("{0}")]
+    DegeneratePoint(#[from] DegeneratePoint),
+    /// A sample of the volume equals the isovalue.
+    #[error("{0}")]
+    DegenerateSample(#[from] DegenerateSample),
     /// An operation panicked: our fault.
     #[error("a bug in the oracle: {0}")]
     Panic(String),
 }
 
-impl From<Degenerate> for Refusal {
-    fn from(degenerate: Degenerate) -> Refusal {
-        Refusal::Degenerate(Box::new(degenerate))
-    }
+macro_rules! boxed {
+    ($($error:ident)*) => {
+        $(impl From<$error> for Refusal {
+            fn from(error: $error) -> Refusal {
+                Refusal::$error(Box::new(error))
+            }
+        })*
+    };
 }
 
-impl From<DegenerateCell> for Refusal {
-    fn from(degenerate: DegenerateCell) -> Refusal {
-        Refusal::DegenerateCell(Box::new(degenerate))
-    }
-}
+boxed!(Degenerate DegenerateCell DegenerateSquare DegenerateGridSquare);
 
 /// The kinds of errors that the protocol knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -105,7 +121,12 @@ impl Refusal {
             Refusal::NoSuchOperation(_) | Refusal::NoSuchProtocol(_) => None,
             Refusal::InvalidField(error) if error.is_limit() => Some(Kind::Limit),
             Refusal::InvalidField(_) => Some(Kind::InvalidInput),
-            Refusal::Degenerate(_) | Refusal::DegenerateCell(_) => Some(Kind::Degenerate),
+            Refusal::Degenerate(_)
+            | Refusal::DegenerateCell(_)
+            | Refusal::DegenerateSquare(_)
+            | Refusal::DegenerateGridSquare(_)
+            | Refusal::DegeneratePoint(_)
+            | Refusal::DegenerateSample(_) => Some(Kind::Degenerate),
             Refusal::Panic(_) => Some(Kind::Internal),
         }
     }

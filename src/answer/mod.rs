@@ -9,6 +9,7 @@
 pub mod isosurface;
 pub mod mesh;
 pub mod message;
+pub mod trilinear;
 pub mod value;
 pub mod volume;
 
@@ -34,9 +35,13 @@ pub type Operation = fn(&Object) -> Result<Out, Refusal>;
 
 /// The operations by their names, but `hello`.
 pub const OPERATIONS: &[(&str, Operation)] = &[
+    ("isosurface.square", isosurface::square),
     ("isosurface.cell", isosurface::cell),
     ("isosurface.topology", isosurface::topology),
     ("isosurface.mesh", isosurface::mesh),
+    ("isosurface.polyline", isosurface::polyline),
+    ("isosurface.tetrahedra", isosurface::tetrahedra),
+    ("trilinear.evaluate", trilinear::evaluate),
 ];
 
 /// Answers every line of the input, in order, each flushed as soon as it and those before it are known;

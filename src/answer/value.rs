@@ -1,6 +1,7 @@
 //! JSON ↔ exact numbers: the fields of a question, each read with the place where it goes wrong.
 
 use crate::format::FormatError;
+use crate::isosurface::polyline::RasterError;
 use crate::isosurface::volume::VolumeError;
 use crate::number::Rational;
 use crate::number::text::{self, NumberError};
@@ -77,6 +78,9 @@ pub enum Problem {
     /// Shape and values do not make a volume; its message names the field.
     #[error("{0}")]
     Volume(VolumeError),
+    /// Shape and values do not make a raster; its message names the field.
+    #[error("{0}")]
+    Raster(RasterError),
     /// What is in the file does not make a volume.
     #[error("{0}")]
     VolumeFile(VolumeError),
@@ -105,8 +109,10 @@ impl InvalidField {
     /// Whether a stated limit is what stands against it, not an ill-posed question.
     pub fn is_limit(&self) -> bool {
         match &self.problem {
-            Problem::TooManySamples | Problem::Volume(VolumeError::TooLarge(_)) => true,
-            Problem::VolumeFile(VolumeError::TooLarge(_)) => true,
+            Problem::TooManySamples
+            | Problem::Volume(VolumeError::TooLarge(_))
+            | Problem::VolumeFile(VolumeError::TooLarge(_))
+            | Problem::Raster(RasterError::TooLarge(_)) => true,
             Problem::Number(error) => {
                 matches!(error, NumberError::TooLong { .. } | NumberError::ExponentTooLarge)
             }
@@ -118,7 +124,8 @@ impl InvalidField {
             | Problem::Side(_)
             | Problem::BesideFile
             | Problem::Volume(_)
-            | Problem::VolumeFile(_) => false,
+            | Problem::VolumeFile(_)
+            | Problem::Raster(_) => false,
         }
     }
 }
@@ -132,12 +139,13 @@ impl Display for InvalidField {
                 Step::Item(index) => write!(f, "[{index}]")?,
             }
         }
-        match &self.problem {
+        let separator = match &self.problem {
+            _ if self.steps.is_empty() => "",
             // Its message begins with the name of one more field.
-            Problem::Volume(error) => write!(f, ".{error}"),
-            problem if self.steps.is_empty() => write!(f, "{problem}"),
-            problem => write!(f, ": {problem}"),
-        }
+            Problem::Volume(_) | Problem::Raster(_) => ".",
+            _ => ": ",
+        };
+        write!(f, "{separator}{}", self.problem)
     }
 }
 

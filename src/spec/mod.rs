@@ -1,8 +1,8 @@
 //! The specification: every formula of the four texts that is checked here, with its verdict.
 //!
-//! The chapters are Markdown files, embedded. An entry begins with its heading, `## CU-7  Title`; a line
-//! that begins with one of the known words and a colon begins a field, which ends with the next field or an empty line;
-//! anything else is notes.
+//! The chapters are Markdown files, embedded. An entry begins with its heading, `## CU-7  Title`, and ends with the
+//! next one, be it an entry's or a section's, `## (a) Title`. A line that begins with one of the known words and
+//! a colon begins a field, which ends with the next field or an empty line; anything else is notes.
 
 pub mod html;
 
@@ -12,7 +12,10 @@ use std::str::FromStr;
 use thiserror::Error;
 
 /// The chapters, in order: file name and text.
-pub const CHAPTERS: &[(&str, &str)] = &[("numbers.md", include_str!("../../spec/numbers.md"))];
+pub const CHAPTERS: &[(&str, &str)] = &[
+    ("numbers.md", include_str!("../../spec/numbers.md")),
+    ("isosurface.md", include_str!("../../spec/isosurface.md")),
+];
 
 /// What checking a formula has shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -119,6 +122,9 @@ pub struct Entry {
     pub tests: Vec<String>,
     /// Snapshot files, by name.
     pub snapshots: Vec<String>,
+    /// Why it holds, where the entry says so.
+    #[serde(skip)]
+    pub proof: Option<String>,
     /// Domain, unit, sign, number field: the name as written, and what it says.
     #[serde(skip)]
     pub conventions: Vec<(String, String)>,
@@ -184,22 +190,24 @@ pub fn entries() -> Result<Vec<Entry>, SpecError> {
 /// # Errors
 /// See [`SpecError`].
 pub fn parse(markdown: &str) -> Result<Vec<Entry>, SpecError> {
-    let mut drafts: Vec<Draft> = Vec::new();
+    let mut entries = Vec::new();
+    let mut draft: Option<Draft> = None;
     for (number, line) in markdown.lines().enumerate() {
-        if let Some(heading) = line.strip_prefix("## ") {
-            let (id, title) = heading.trim().split_once(char::is_whitespace).unwrap_or((heading.trim(), ""));
-            let id = id.parse().map_err(|error| SpecError::Id { line: number + 1, error })?;
-            let title = title.trim().to_owned();
-            drafts.push(Draft { id, title, fields: Vec::new(), is_open: false, notes: String::new() });
-        } else if let Some(draft) = drafts.last_mut() {
-            draft.line(line)?;
+        match line.strip_prefix("## ").map(str::trim) {
+            Some(heading) => {
+                entries.extend(draft.take().map(Draft::finish).transpose()?);
+                draft = Draft::of(heading).map_err(|error| SpecError::Id { line: number + 1, error })?;
+            }
+            None => draft.as_mut().map_or(Ok(()), |draft| draft.line(line))?,
         }
     }
-    drafts.into_iter().map(Draft::finish).collect()
+    entries.extend(draft.map(Draft::finish).transpose()?);
+    Ok(entries)
 }
 
 /// The words that begin a field; those of one convention may stand together: `domain, unit: …`.
-const FIELDS: [&str; 8] = ["source", "printed", "verdict", "correct", "counterexample", "code", "tests", "snapshots"];
+const FIELDS: [&str; 9] =
+    ["source", "printed", "verdict", "correct", "counterexample", "proof", "code", "tests", "snapshots"];
 const CONVENTIONS: [&str; 4] = ["domain", "unit", "sign", "number field"];
 
 /// An entry while its lines are read.
@@ -219,6 +227,16 @@ fn field(line: &str) -> Option<(&str, &str)> {
 }
 
 impl Draft {
+    /// The entry with this heading; none where it is the heading of a section, `(a) Squares`.
+    fn of(heading: &str) -> Result<Option<Draft>, NotAnId> {
+        if heading.starts_with('(') {
+            return Ok(None);
+        }
+        let (id, title) = heading.split_once(char::is_whitespace).unwrap_or((heading, ""));
+        let (id, title) = (id.parse()?, title.trim().to_owned());
+        Ok(Some(Draft { id, title, fields: Vec::new(), is_open: false, notes: String::new() }))
+    }
+
     fn line(&mut self, line: &str) -> Result<(), SpecError> {
         if let Some((name, text)) = field(line) {
             if self.fields.iter().any(|(known, _)| known == name) {
@@ -252,7 +270,7 @@ impl Draft {
         let sources = list(take("source"), ';');
         let word = take("verdict").unwrap_or_default();
         let (printed, correct, counterexample) = (take("printed"), take("correct"), take("counterexample"));
-        let code = take("code");
+        let (proof, code) = (take("proof"), take("code"));
         let (tests, snapshots) = (list(take("tests"), ','), list(take("snapshots"), ','));
         let tests = if tests.is_empty() { vec![self.id.test_module()] } else { tests };
         let Some(verdict) = Verdict::ALL.into_iter().find(|verdict| verdict.name() == word) else {
@@ -272,6 +290,7 @@ impl Draft {
             code,
             tests,
             snapshots,
+            proof,
             conventions: self.fields,
             notes: self.notes.trim().to_owned(),
         })
@@ -287,6 +306,7 @@ impl Entry {
         fields.push(("correct", self.correct.clone().unwrap_or_default()));
         fields.push(("counterexample", self.counterexample.clone().unwrap_or_default()));
         fields.extend(self.conventions.iter().map(|(name, text)| (name.as_str(), text.clone())));
+        fields.push(("proof", self.proof.clone().unwrap_or_default()));
         fields.push(("code", self.code.clone().unwrap_or_default()));
         fields.push(("tests", self.tests.join(", ")));
         fields.push(("snapshots", self.snapshots.join(", ")));
@@ -316,7 +336,7 @@ mod tests {
     const CHAPTER: &str = "# Curvature\n\nIntroduction: not an entry.\n\n## CU-7  Curvature of an implicit curve\n\
         source:  002 eq (5); 003 def 2.1\nprinted: $$ k = a\n  + b $$\nverdict: erratum\ncorrect:\n\n$$ k = a - b $$\n\
         counterexample: a = 1/2\ndomain, unit: |∇f| ≠ 0\ncode: curvature::implicit::curve\n\nA note: why.\n\n\
-        ## CU-8  Another\nverdict: holds\ntests: a, b\n";
+        ## (b) A section\n\nNot a note.\n\n## CU-8  Another\nverdict: holds\ntests: a, b\n";
 
     #[test]
     fn an_entry_is_read_field_by_field() {
