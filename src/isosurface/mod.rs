@@ -15,6 +15,7 @@ pub mod multilinear;
 pub mod patch;
 pub mod polyline;
 pub mod square;
+pub mod symmetry;
 pub mod table;
 pub mod tetrahedra;
 pub mod topology;
