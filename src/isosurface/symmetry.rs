@@ -40,7 +40,9 @@ impl Group {
             Group::All => (true, &[false, true]),
         };
         let symmetries = Symmetry::all().into_iter().filter(|s| reflections || s.is_rotation());
-        symmetries.flat_map(|symmetry| complements.iter().map(move |&complement| Action { symmetry, complement })).collect()
+        symmetries
+            .flat_map(|symmetry| complements.iter().map(move |&complement| Action { symmetry, complement }))
+            .collect()
     }
 }
 
@@ -49,7 +51,8 @@ impl Action {
     pub fn of(self, class: &Decisions) -> Decisions {
         let Action { symmetry, complement } = self;
         let positive = symmetry.corners(class.positive);
-        let mut image = Decisions { positive: if complement { !positive } else { positive }, faces: [0; 6], tunnel: None };
+        let mut image =
+            Decisions { positive: if complement { !positive } else { positive }, faces: [0; 6], tunnel: None };
         for face in Face::ALL {
             let sign = class.faces[face.index()];
             image.faces[symmetry.face(face).index()] = if complement { -sign } else { sign };
@@ -89,6 +92,7 @@ pub fn orbits(classes: &[Decisions], group: Group) -> Vec<Vec<Decisions>> {
 /// iff it is no whole number, as it can only be where the group does not map the set of classes to itself.
 pub fn burnside(classes: &[Decisions], group: Group) -> Option<usize> {
     let elements = group.elements();
-    let fixed: usize = elements.iter().map(|action| classes.iter().filter(|class| action.of(class) == **class).count()).sum();
+    let fixed: usize =
+        elements.iter().map(|action| classes.iter().filter(|class| action.of(class) == **class).count()).sum();
     fixed.is_multiple_of(elements.len()).then(|| fixed / elements.len())
 }

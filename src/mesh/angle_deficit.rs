@@ -126,11 +126,9 @@ impl AngleMesh {
     /// The angle deficit 2π − Σβ of a vertex, enclosed with that many bits.
     pub fn deficit(&self, vertex: u32, precision: u32) -> Interval {
         let full_turn = Interval::pi(precision) * &Interval::integer(2);
-        self.triangles.iter().fold(full_turn, |deficit, triangle| {
-            match triangle.iter().position(|v| *v == vertex) {
-                Some(corner) => deficit - &self.angle(triangle, corner).enclosure(precision),
-                None => deficit,
-            }
+        self.triangles.iter().fold(full_turn, |deficit, triangle| match triangle.iter().position(|v| *v == vertex) {
+            Some(corner) => deficit - &self.angle(triangle, corner).enclosure(precision),
+            None => deficit,
         })
     }
 

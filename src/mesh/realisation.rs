@@ -191,8 +191,7 @@ impl<const N: usize> GeometricComplex<N> {
 /// Where the hulls of the two sides of a circuit meet.
 fn radon_point<const N: usize>(points: &[Vector<Rational, N>], coefficients: &[Rational]) -> Vector<Rational, N> {
     let positive = points.iter().zip(coefficients).filter(|(_, x)| x.sign() == Sign::Positive);
-    let (sum, total) = positive.fold((Vector::zero(), Rational::integer(0)), |(sum, total), (p, x)| {
-        (sum + &p.scaled(x), total + x)
-    });
+    let (sum, total) =
+        positive.fold((Vector::zero(), Rational::integer(0)), |(sum, total), (p, x)| (sum + &p.scaled(x), total + x));
     sum.scaled(&total.recip())
 }
