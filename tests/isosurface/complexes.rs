@@ -358,7 +358,7 @@ mod is_8 {
                     kept.push(p.clone());
                 }
                 if (hp > 0 && hq < 0) || (hp < 0 && hq > 0) {
-                    let t = Rational::from(&hp / Rational::from(&hp - &hq));
+                    let t = &hp / Rational::from(&hp - &hq);
                     kept.push([0, 1].map(|k| Rational::from(&q[k] - &p[k]) * &t + &p[k]));
                 }
             }

@@ -154,7 +154,7 @@ mod is_20 {
         fn it_is_the_sum_of_hats(g in prop::collection::vec(rational(), 1..6), x in rational()) {
             // Another basis: f = Σ g[i]·max(0, 1 − |x − i|).
             let g = periodic(&g);
-            let hat = |i: i64| (q(1, 1) - Rational::from(&x - q(i, 1)).abs()).max(q(0, 1));
+            let hat = |i: i64| (q(1, 1) - (&x - q(i, 1)).abs()).max(q(0, 1));
             let sum = (-32..=32).fold(q(0, 1), |sum, i| sum + g(&Integer::from(i)) * hat(i));
             prop_assert_eq!(piecewise_linear(&g, &x), sum);
         }
@@ -217,7 +217,7 @@ mod is_23 {
         fn the_zero_is_one_and_the_point_planted(u in share(), slope in rational(), c in rational()) {
             // f = slope·(x − u) + c, so that f = c at u.
             prop_assume!(slope != 0);
-            let g = [q(0, 1), q(1, 1)].map(|x| Rational::from(&slope * (x - &u)) + &c);
+            let g = [q(0, 1), q(1, 1)].map(|x| &slope * (x - &u) + &c);
             let level = g.each_ref().map(|g| Rational::from(g - &c));
             prop_assert_eq!(linear_zero(&level), LinearZero::At(u.clone()));
             prop_assert_eq!(level[0].clone() / (level[0].clone() - &level[1]), u.clone());
@@ -277,7 +277,7 @@ mod is_27 {
 
     #[test]
     fn another_quadric_has_the_same_corner_values() {
-        let other = |u: &Rational| Rational::from(u * (q(1, 1) - u));
+        let other = |u: &Rational| u * (q(1, 1) - u);
         assert_eq!([0, 1].map(|u| other(&q(u, 1))), [0, 0]);
         let at = [q(1, 2), q(0, 1)];
         assert_eq!(bilinear(&rationals([0, 0, 0, 0]), &at), 0);
@@ -384,7 +384,7 @@ mod is_32 {
 
     #[test]
     fn another_cubic_has_the_same_corner_values() {
-        let other = |[u, _, _]: &[Rational; 3]| Rational::from(u * (q(1, 1) - u));
+        let other = |[u, _, _]: &[Rational; 3]| u * (q(1, 1) - u);
         for c in 0..8i64 {
             assert_eq!(other(&[c & 1, c >> 1 & 1, c >> 2].map(Rational::from)), 0);
         }
