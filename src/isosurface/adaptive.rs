@@ -1,5 +1,5 @@
 //! Level sets of polynomials by cells refined until the topology in each is proven (the text's figure 48;
-//! IS-?fig48).
+//! IS-69).
 //!
 //! **Certified.** A closed cell is certified iff f ≠ c at its 8 corners, and on each of its 12 edges, its 6 faces
 //! and itself, f − c has a strict sign or the derivative of f along one of the part's own axes has one; all signs
@@ -133,10 +133,10 @@ pub struct Adapted {
     leaves: Vec<Leaf>,
 }
 
-/// Cuts a box into cells until {f = c} is certified in each, or the greatest depth is reached (IS-?fig48).
+/// Cuts a box into cells until {f = c} is certified in each, or the greatest depth is reached (IS-69).
 ///
 /// Errors: iff the split is not between 0 and 1, the depth is beyond [`Refinement::DEEPEST`], or f − c is zero.
-#[doc(alias = "IS-?fig48")]
+#[doc(alias = "IS-69")]
 pub fn adapt(
     f: &Trivariate,
     isovalue: &Rational,

@@ -121,8 +121,8 @@ pub struct Bernstein {
 }
 
 impl Bernstein {
-    /// The Bernstein form of a polynomial on a box (IS-?Bernstein).
-    #[doc(alias = "IS-?Bernstein")]
+    /// The Bernstein form of a polynomial on a box (IS-69).
+    #[doc(alias = "IS-69")]
     pub fn of(f: &Trivariate, region: &Region) -> Bernstein {
         let degrees = f.degrees().map(|n| n as usize);
         let mut coefficients = vec![Rational::new(); degrees.iter().map(|n| n + 1).product()];

@@ -19,6 +19,7 @@ pub mod polyline;
 pub mod square;
 #[cfg(feature = "proptest")]
 pub mod strategy;
+pub mod symmetry;
 pub mod table;
 pub mod tetrahedra;
 pub mod topology;

@@ -105,9 +105,10 @@ pub struct DegenerateGridSquare {
 }
 
 /// The contour {f = c} by marching squares: f piecewise bilinear, ambiguous squares by their determinant
-/// (IS-?marching squares).
+/// (IS-?marching squares); it draws any implicit curve (IS-35).
 ///
 /// Errors: a square of which c is a critical value, unless ties are broken.
+#[doc(alias = "IS-35")]
 pub fn squares(raster: &Raster, isovalue: &Rational, tie: Tie) -> Result<Polyline, DegenerateGridSquare> {
     let mut drawing = Drawing::new(raster, isovalue);
     for square in raster.squares() {

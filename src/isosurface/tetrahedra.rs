@@ -8,8 +8,9 @@ use std::collections::HashMap;
 use thiserror::Error;
 
 /// How each cell is cut into tetrahedra. All of these agree on the faces between cells, so that the surface is
-/// closed; the topology of the surface depends on the choice (IS-?decomposition).
+/// closed; the topology of the surface depends on the choice (IS-68).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(alias = "IS-68")]
 pub enum Decomposition {
     /// Six tetrahedra around the diagonal from this corner to the opposite one: one for each order of the axes,
     /// along which to walk from the one to the other. Opposite corners give the same six.
@@ -65,7 +66,7 @@ fn opposite(c: Corner) -> Corner {
 }
 
 /// What a level set cuts out of a tetrahedron, no corner being at the level: three cases, up to renumbering and
-/// the exchange of f > c with f < c, of the 16 patterns of signs (IS-?tetrahedra). Each corner of a polygon is
+/// the exchange of f > c with f < c, of the 16 patterns of signs (IS-67). Each corner of a polygon is
 /// the crossed edge, given by its ends; the polygon is counter-clockwise seen from f > c.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TetrahedronCase {
@@ -78,8 +79,8 @@ pub enum TetrahedronCase {
 }
 
 /// The case of a tetrahedron with det(b − a, c − a, d − a) > 0, by which of its corners have f > c
-/// (IS-?tetrahedra).
-#[doc(alias = "IS-?tetrahedra")]
+/// (IS-67).
+#[doc(alias = "IS-67")]
 pub fn case(positive: [bool; 4]) -> TetrahedronCase {
     // Even renumberings: the corner i first; two corners i, j first.
     let with_first = |i: usize| [[0, 1, 2, 3], [1, 0, 3, 2], [2, 3, 0, 1], [3, 2, 1, 0]][i];
@@ -145,7 +146,7 @@ impl Level<'_> {
 }
 
 /// The surface {f = c}, f linear on each tetrahedron of a decomposition of the cells: a 2-manifold with boundary
-/// only on the grid's border, one vertex on each crossed edge of a tetrahedron (IS-?tetrahedra).
+/// only on the grid's border, one vertex on each crossed edge of a tetrahedron (IS-67).
 ///
 /// Errors: iff a sample equals c and ties are not broken. Where they are, such a sample is outside, vertices have
 /// their limit positions, and the surface is a manifold by its vertex numbers, though positions may coincide.

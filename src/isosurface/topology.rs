@@ -140,7 +140,12 @@ impl Gathering<'_, '_> {
 /// The topology of {f = c}, f piecewise trilinear: χ = crossings − arcs on faces + Σ χ of the pieces in
 /// the cells, over each component (IS-62).
 ///
+/// Whether it converges to that of the sampled surface under refinement is left open (IS-70); it need not agree with
+/// the total curvature of the samples' cubic spline (IS-73).
+///
 /// Errors: a cell of which c is a critical value, unless ties are broken.
+#[doc(alias = "IS-70")]
+#[doc(alias = "IS-73")]
 pub fn topology(level: &Level) -> Result<GridTopology, DegenerateCell> {
     gather(level, |cell| level.decisions(cell))
 }

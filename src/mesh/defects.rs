@@ -1,4 +1,4 @@
-//! What is wrong with a triangle mesh as a surface, whatever it is meant to be (ME-1 … ME-4).
+//! What is wrong with a triangle mesh as a surface, whatever it is meant to be.
 
 use crate::partition::Partition;
 use std::collections::{BTreeMap, HashMap};
@@ -125,7 +125,7 @@ pub fn defects(vertices: usize, triangles: &[Triangle]) -> Vec<Defect> {
     defects
 }
 
-/// The vertices whose triangles are not all connected through edges at that vertex (ME-3).
+/// The vertices whose triangles are not all connected through edges at that vertex (IS-11).
 fn nonmanifold_vertices(triangles: &[Triangle]) -> Vec<u32> {
     // The corners of the mesh, joined where two triangles at a vertex share an edge at it.
     let mut corners = Partition::new(3 * triangles.len());
@@ -158,7 +158,7 @@ pub struct MeshComponent {
     pub chi: i64,
     /// How many closed curves its boundary edges make; for a 2-manifold, its boundary loops.
     pub boundary_loops: i64,
-    /// The genus, where the mesh is an oriented 2-manifold: χ = 2 − 2·genus − loops (ME-4).
+    /// The genus, where the mesh is an oriented 2-manifold: χ = 2 − 2·genus − loops.
     pub genus: i64,
 }
 

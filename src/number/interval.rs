@@ -3,7 +3,7 @@
 use super::decimal::{DecimalEnclosure, Digits};
 use super::{Enclosure, Integer, Rational, Ring, Sign};
 use rug::Float;
-use rug::float::Round;
+use rug::float::{Constant, Round};
 use rug::ops::AssignRound;
 use std::cmp::Ordering;
 use std::fmt::{self, Display, Formatter};
@@ -91,6 +91,19 @@ impl Interval {
                 if y.is_infinite() { Float::new(p) } else { rounded(p, x / y, round) }
             })),
         }
+    }
+
+    /// The narrowest interval of that precision around π.
+    pub fn pi(precision: u32) -> Interval {
+        outward(precision, |p, round| rounded(p, Constant::Pi, round))
+    }
+
+    /// Around the argument, in (0, π), of every x + iy with x in the one interval and y in the other; `None` unless
+    /// all y > 0.
+    pub fn argument(x: &Interval, y: &Interval) -> Option<Interval> {
+        // Where y > 0, arg falls with x, and for each x it rises or falls with y: the extremes are at corners.
+        let is_above = y.lo.cmp0() == Some(Ordering::Greater);
+        is_above.then(|| hull_of_corners(x, y, |p, x, y, round| rounded(p, y.atan2_ref(x), round)))
     }
 
     /// Decimal strings around the interval; `None` where it is too wide for that many digits, or infinite.
