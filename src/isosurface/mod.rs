@@ -18,3 +18,4 @@ pub mod tetrahedra;
 pub mod topology;
 pub mod triangle;
 pub mod volume;
+pub mod witness;

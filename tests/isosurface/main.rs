@@ -1,0 +1,3 @@
+//! Isosurfaces: each claim of spec/isosurface.md against a second derivation.
+
+mod witness;
