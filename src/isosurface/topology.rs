@@ -1,4 +1,4 @@
-//! The topology of a whole piecewise trilinear isosurface (IS-62).
+//! The topology of a whole piecewise trilinear isosurface (IS-89).
 
 use super::boundary::arcs;
 use super::cell::{Decisions, assemble};
@@ -132,9 +132,10 @@ impl Gathering<'_, '_> {
 }
 
 /// The topology of {f = c}, f piecewise trilinear: χ = crossings − arcs on faces + Σ χ of the pieces in
-/// the cells, over each component (IS-62).
+/// the cells, over each component (IS-89).
 ///
 /// Errors: a cell of which c is a critical value, unless ties are broken.
+#[doc(alias = "IS-89")]
 pub fn topology(level: &Level) -> Result<GridTopology, DegenerateCell> {
     gather(level, |cell| level.decisions(cell))
 }
