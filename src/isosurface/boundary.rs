@@ -26,7 +26,8 @@ pub fn arcs(decisions: &Decisions, face: Face) -> Vec<[Edge; 2]> {
 }
 
 /// The closed curves of the level set on the cell's boundary, each a cycle of crossed edges with f > c
-/// on the left, seen from outside; a cycle starts at its smallest edge, and cycles are sorted.
+/// on the left, seen from outside; a cycle starts at its smallest edge, and cycles are sorted (IS-76).
+#[doc(alias = "IS-76")]
 pub fn loops(decisions: &Decisions) -> Vec<Vec<Edge>> {
     let mut next = [None; 12];
     for [from, to] in Face::ALL.into_iter().flat_map(|face| arcs(decisions, face)) {

@@ -48,7 +48,9 @@ impl std::str::FromStr for Case {
 pub struct UnknownCase(String);
 
 impl Case {
-    /// The case of a cell with these decisions.
+    /// The case of a cell with these decisions (IS-82); one corner of its own sign is case 1 (IS-55).
+    #[doc(alias = "IS-55")]
+    #[doc(alias = "IS-82")]
     pub fn of(decisions: &Decisions) -> Case {
         // The fewer corners of one sign give the case its shape; of four and four, the positive ones.
         let minority_is_positive = decisions.positive.count_ones() <= 4;

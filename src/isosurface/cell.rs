@@ -1,4 +1,4 @@
-//! The exact topology of {f = c} in a closed cell, f trilinear (IS-45 … IS-49).
+//! The exact topology of {f = c} in a closed cell, f trilinear (IS-74 … IS-78).
 //!
 //! Three decisions make it: the sign of each corner; on each ambiguous face, which diagonal pair the
 //! bilinear face function joins; and whether a diagonal pair is joined inside the cell, though on no
@@ -20,7 +20,8 @@ pub enum Degenerate {
     /// A corner's value equals the isovalue.
     #[error("the value at corner {} equals the isovalue", .0.index())]
     Corner(Corner),
-    /// The saddle of an ambiguous face lies at the isovalue.
+    /// The saddle of an ambiguous face lies at the isovalue (IS-87).
+    #[doc(alias = "IS-87")]
     #[error("the saddle of face {} at ({}, {}, {}) lies at the isovalue", .face.name(), .point[0], .point[1], .point[2])]
     Face {
         /// The face.
@@ -28,7 +29,8 @@ pub enum Degenerate {
         /// The saddle, in cell coordinates.
         point: [Rational; 3],
     },
-    /// A critical point of f inside the cell lies at the isovalue.
+    /// A critical point of f inside the cell lies at the isovalue (IS-88).
+    #[doc(alias = "IS-88")]
     #[error("the critical point ({}, {}, {}) inside the cell lies at the isovalue", .point[0], .point[1], .point[2])]
     Interior {
         /// The critical point, in cell coordinates.
@@ -53,7 +55,8 @@ pub struct Decisions {
     pub positive: u8,
     /// For each face, the sign of the corner pair that it joins; 0 where it is not ambiguous.
     pub faces: [i8; 6],
-    /// Corners that are joined inside the cell and, by the faces alone, would not be.
+    /// Corners that are joined inside the cell and, by the faces alone, would not be (IS-59).
+    #[doc(alias = "IS-59")]
     pub tunnel: Option<Join>,
 }
 
@@ -63,7 +66,8 @@ impl Decisions {
         self.positive & c.bit() != 0
     }
 
-    /// Whether the surface crosses an edge.
+    /// Whether the surface crosses an edge; it does so once at most (IS-54).
+    #[doc(alias = "IS-54")]
     pub fn crosses(&self, e: Edge) -> bool {
         let [a, b] = e.corners();
         self.is_positive(a) != self.is_positive(b)
@@ -98,7 +102,8 @@ impl Decisions {
         (a != b).then(|| Join { corners: [Corner::ALL[a.min(b)], Corner::ALL[a.max(b)]] })
     }
 
-    /// Which corners the cell connects: on its boundary and through its inside.
+    /// Which corners the cell connects: on its boundary and through its inside (IS-84).
+    #[doc(alias = "IS-84")]
     pub fn parts(&self) -> Partition {
         let mut parts = self.boundary_parts();
         if let Some(Join { corners: [a, b] }) = self.tunnel {
@@ -122,7 +127,7 @@ pub enum Obstacle {
 }
 
 /// The three decisions for the level set f = 0 of the trilinear function with these corner values
-/// (IS-45, IS-49).
+/// (IS-57, IS-78).
 pub fn decide<K: Enclosure>(values: &[K; 8]) -> Result<Decisions, Obstacle> {
     let mut decisions = Decisions { positive: 0, faces: [0; 6], tunnel: None };
     for c in Corner::ALL {
@@ -140,7 +145,10 @@ pub fn decide<K: Enclosure>(values: &[K; 8]) -> Result<Decisions, Obstacle> {
 }
 
 /// The sign of the diagonal pair that the bilinear function of a face joins: the pair with the greater
-/// product of values; 0 unless the signs alternate around the face.
+/// product of values; 0 unless the signs alternate around the face. It is told by the four values of the face
+/// alone, so that neighbours agree (IS-57), which a table by signs alone does not bring about (IS-56).
+#[doc(alias = "IS-56")]
+#[doc(alias = "IS-57")]
 fn face_decision<K: Enclosure>(values: &[K; 8], positive: u8, face: Face) -> Result<i8, Obstacle> {
     let corners = face.cycle();
     let [p, q, r, s] = corners.map(|c| positive & c.bit() != 0);
@@ -172,10 +180,11 @@ pub fn decisions(values: &[Rational; 8], isovalue: &Rational, tie: Tie) -> Resul
     }
 }
 
-/// The decisions for f = −ε, every small enough ε > 0 (IS-60: they always exist).
+/// The decisions for f = −ε, every small enough ε > 0 (IS-86: they always exist).
+#[doc(alias = "IS-86")]
 pub fn decide_below<K: Enclosure>(level: &[K; 8]) -> Decisions {
     let raised = level.each_ref().map(|v| Perturbed::new(v.clone(), K::integer(1)));
-    decide(&raised).expect("c − ε is no critical value for all small enough ε > 0 (IS-60)")
+    decide(&raised).expect("c − ε is no critical value for all small enough ε > 0 (IS-86)")
 }
 
 /// The values times their least common denominator: the same signs, by integers.
@@ -228,20 +237,23 @@ pub struct Component {
     pub loops: Vec<usize>,
     /// Its Euler characteristic: 1 for a disk, 0 for an annulus.
     pub chi: i64,
-    /// Its genus; always 0 in a cell (IS-58).
+    /// Its genus; always 0 in a cell (IS-77).
     pub genus: i64,
 }
 
 /// {f ≤ c} or {f ≥ c} in the cell.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Side {
-    /// The corners of each component, sorted; each component holds at least one (IS-57).
+    /// The corners of each component, sorted; each component holds at least one (IS-75).
+    #[doc(alias = "IS-75")]
     pub parts: Vec<Vec<Corner>>,
     /// The first Betti number: how many independent loops cannot be shrunk within it.
     pub b1: i64,
 }
 
-/// The exact topology of a trilinear level set in a closed cell, labelled by the cell's corners and edges.
+/// The exact topology of a trilinear level set in a closed cell, labelled by the cell's corners and edges. Both
+/// sides are told: with the faces, the numbers of their components determine it, and that of one does not (IS-60).
+#[doc(alias = "IS-60")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Topology {
     /// The decisions that it follows from.
@@ -266,7 +278,7 @@ impl Topology {
     }
 }
 
-/// The exact topology of {f = c} in the cell with these corner values (IS-45 … IS-49, IS-57, IS-58).
+/// The exact topology of {f = c} in the cell with these corner values (IS-76 … IS-78, IS-84).
 ///
 /// Errors: [`Degenerate`] where c is a critical value and ties are not broken.
 pub fn topology(values: &[Rational; 8], isovalue: &Rational, tie: Tie) -> Result<Topology, Degenerate> {
@@ -274,11 +286,12 @@ pub fn topology(values: &[Rational; 8], isovalue: &Rational, tie: Tie) -> Result
 }
 
 /// What follows from the decisions: loops on the boundary, and what bounds what inside.
+#[doc(alias = "IS-77")]
 pub fn assemble(decisions: Decisions) -> Topology {
     let loops = boundary::loops(&decisions);
     let mut parts = decisions.parts();
     // A surface component is where one negative and one positive part meet: the parts are the nodes of a
-    // tree, of which the components are the edges (IS-58).
+    // tree, of which the components are the edges (IS-77).
     let mut between: Vec<([usize; 2], Component)> = Vec::new();
     for (index, cycle) in loops.iter().enumerate() {
         let [a, b] = cycle[0].corners().map(|c| parts.find(c.index()));

@@ -1,4 +1,4 @@
-//! Every class of cells: which corner signs, face decisions and tunnels go together (IS-53 … IS-56).
+//! Every class of cells: which corner signs, face decisions and tunnels go together (IS-79 … IS-81).
 //!
 //! The list is an upper bound by argument. That each class on it is met by a cell, and no other class by
 //! any cell, is what its tests show: by a witness with small integers for each.
@@ -6,8 +6,9 @@
 use super::cell::{Decisions, Join};
 use super::cube::{Corner, Edge, Face};
 
-/// Every labelled class of non-degenerate cells, sorted: 768 of them, the text's "more than 730" (IS-66).
+/// Every labelled class of non-degenerate cells, sorted: 768 of them (IS-80), the text's "more than 730" (IS-66).
 #[doc(alias = "IS-66")]
+#[doc(alias = "IS-80")]
 pub fn classes() -> Vec<Decisions> {
     let mut classes: Vec<Decisions> = face_classes()
         .into_iter()
@@ -20,12 +21,14 @@ pub fn classes() -> Vec<Decisions> {
     classes
 }
 
-/// Every class of corner signs and face decisions, without regard to the inside: 620 of them.
+/// Every class of corner signs and face decisions, without regard to the inside: 620 of 656 (IS-58, IS-79).
 ///
 /// A face joins its positive pair iff L = Σ ± log|f − c| over its corners (+ at positive ones) is
 /// positive. Where all six faces are ambiguous, the sums of L over opposite faces are the same number for
 /// each axis, so no axis has both its faces positive while another has both negative. Every other
 /// choice is free: some corner of each ambiguous face lies on no other one, or on fewer.
+#[doc(alias = "IS-58")]
+#[doc(alias = "IS-79")]
 pub fn face_classes() -> Vec<Decisions> {
     let mut classes = Vec::new();
     for positive in 0..=255u8 {
@@ -49,7 +52,8 @@ fn is_ambiguous(positive: u8, face: Face) -> bool {
     p == r && q == s && p != q
 }
 
-/// The tunnels that a class of signs and faces allows: those that cuts along each of the three axes allow.
+/// The tunnels that a class of signs and faces allows: those that cuts along each of the three axes allow (IS-81).
+#[doc(alias = "IS-81")]
 pub fn tunnels(class: &Decisions) -> Vec<Join> {
     let mut allowed = tunnels_along(class, 0);
     for axis in [1, 2] {
@@ -62,7 +66,7 @@ pub fn tunnels(class: &Decisions) -> Vec<Join> {
 /// The tunnels that cuts across one axis allow.
 ///
 /// A tunnel that joins A and C shows as an interval of cuts in which A, C have one sign and B, D the
-/// other, with Q = AC − BD concave and positive just between two roots inside (IS-49). So Q is negative on
+/// other, with Q = AC − BD concave and positive just between two roots inside (IS-78). So Q is negative on
 /// both faces of the cell across the axis, and at both ends of the interval; where B or D vanishes,
 /// Q = AC > 0, so it is A or C that vanishes at an end inside the cell.
 fn tunnels_along(class: &Decisions, axis: usize) -> Vec<Join> {

@@ -26,11 +26,12 @@ pub struct Saddle {
     pub value: Rational,
 }
 
-/// Where the gradient of the bilinear function vanishes, with f_uv = g₀₀ + g₁₁ − g₁₀ − g₀₁ (IS-?ex5.15).
+/// Where the gradient of the bilinear function vanishes, with f_uv = g₀₀ + g₁₁ − g₁₀ − g₀₁ (IS-40, IS-43).
 ///
 /// Its sign at the saddle is that of the determinant g₀₀ g₁₁ − g₁₀ g₀₁ only where f_uv > 0. If the signs of the
 /// corners alternate around the square, f_uv has the sign of g₀₀, and the saddle lies inside the square.
-#[doc(alias = "IS-?ex5.15")]
+#[doc(alias = "IS-40")]
+#[doc(alias = "IS-43")]
 pub fn bilinear_critical([g00, g10, g01, g11]: &[Rational; 4]) -> BilinearCritical {
     let f_uv = Rational::from(g00 + g11) - g10 - g01;
     if f_uv.is_zero() {
@@ -86,13 +87,13 @@ pub enum TrilinearCritical {
     Everywhere,
 }
 
-/// All critical points of the trilinear function with these corner values (IS-?trilinear critical points).
+/// All critical points of the trilinear function with these corner values (IS-88, IS-95).
 ///
 /// With k = f_xyz ≠ 0 and the centre x₀ = −f_yz(0)/k, y₀ = −f_xz(0)/k, z₀ = −f_xy(0)/k, in X = x − x₀ and so on,
 /// f = k·XYZ + βX + γY + δZ + α. The gradient vanishes iff YZ = p, XZ = q, XY = r for p = −β/k, q = −γ/k,
 /// r = −δ/k; then (XYZ)² = pqr. So for pqr > 0 there are two, (X,Y,Z) = ±√(pqr)·(1/p, 1/q, 1/r), of value
 /// α ∓ 2k√(pqr); for pqr < 0 none.
-#[doc(alias = "IS-?trilinear critical points")]
+#[doc(alias = "IS-95")]
 pub fn trilinear_critical(g: &[Rational; 8]) -> TrilinearCritical {
     let [_, b, c, d, e, m, h, k] = monomials(g);
     if k.is_zero() {

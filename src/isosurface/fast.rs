@@ -101,6 +101,7 @@ impl<'a, 'b> Decider<'a, 'b> {
         }
     }
 
+    #[doc(alias = "IS-93")]
     fn decide_small(&self, values: &[i64; 8]) -> Option<Decisions> {
         if values.contains(&0) {
             return None;
@@ -117,8 +118,7 @@ impl<'a, 'b> Decider<'a, 'b> {
             decisions.faces[face.index()] = if joins_positive { 1 } else { -1 };
             joining |= u8::from(joins_positive) << face.index();
         }
-        // Where no tunnel can be, no critical point inside can be at the isovalue either: on one side of
-        // it there would be a tunnel.
+        // Where no tunnel can be, no critical point inside can be at the isovalue either (IS-93).
         if !self.table.entry(positive, joining).tunnels.is_empty() {
             let join = interior::join(&values.map(|v| Word(i128::from(v)))).ok()?;
             decisions.tunnel = join.and_then(|join| decisions.as_tunnel(join));

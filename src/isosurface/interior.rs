@@ -1,4 +1,4 @@
-//! Which diagonal pair of a cell's corners is joined through its inside (IS-49).
+//! Which diagonal pair of a cell's corners is joined through its inside (IS-78).
 //!
 //! Cut the cell by the planes z = w. Each cut is a bilinear square whose corners A, B, C, D (at (0,0),
 //! (1,0), (1,1), (0,1)) are linear in w, and whose determinant Q(w) = AC − BD is quadratic. A and C are
@@ -41,7 +41,8 @@ fn sign<K: Enclosure>(value: &K) -> Result<Sign, Obstacle> {
     value.known_sign().ok_or(Obstacle::Undecided)
 }
 
-/// Q(w) = q0 + q1 w + q2 w².
+/// Q(w) = q0 + q1 w + q2 w², the determinant of the cut at w (IS-74).
+#[doc(alias = "IS-74")]
 fn determinant<K: Enclosure>(values: &[K; 8]) -> [K; 3] {
     let [[a0, a1], [b0, b1], [d0, d1], [c0, c1]] = [0, 1, 2, 3].map(|xy| line(values, xy));
     let [a, b, c, d] = [(a0, a1), (b0, b1), (c0, c1), (d0, d1)].map(|(low, high)| high.clone() - low);
@@ -81,7 +82,8 @@ impl<K: Enclosure> Extreme<K> {
 }
 
 /// The one pair of corners that a cut inside the cell may join though neither its lowest nor its
-/// highest cut does; it may be joined on the boundary of the cell all the same.
+/// highest cut does; it may be joined on the boundary of the cell all the same (IS-78).
+#[doc(alias = "IS-78")]
 pub(super) fn join<K: Enclosure>(values: &[K; 8]) -> Result<Option<Join>, Obstacle> {
     let Some(extreme) = extreme(values)? else { return Ok(None) };
     let [p, q] = extreme.pair;

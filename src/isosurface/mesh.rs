@@ -1,4 +1,4 @@
-//! Marching cubes with the topology of the trilinear isosurface (IS-36, IS-61).
+//! Marching cubes with the topology of the trilinear isosurface (IS-91, IS-94).
 
 use super::cell::assemble;
 use super::cube::Edge;
@@ -47,6 +47,7 @@ impl Level<'_> {
 /// the border of the grid, with one vertex on each crossed grid edge.
 ///
 /// Errors: a cell of which c is a critical value, unless ties are broken.
+#[doc(alias = "IS-94")]
 pub fn extract(level: &Level) -> Result<Mesh, DegenerateCell> {
     let mut mesh = Mesh::default();
     let mut crossings: HashMap<GridEdge, u32> = HashMap::new();

@@ -16,9 +16,11 @@ pub mod mesh;
 pub mod multilinear;
 pub mod patch;
 pub mod polyline;
+pub mod slices;
 pub mod square;
 #[cfg(feature = "proptest")]
 pub mod strategy;
+pub mod subdivision;
 pub mod symmetry;
 pub mod table;
 pub mod tetrahedra;

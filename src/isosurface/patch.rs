@@ -1,4 +1,4 @@
-//! The triangles of one cell: a disk or an annulus on given boundary loops (IS-36, IS-61).
+//! The triangles of one cell: a disk or an annulus on given boundary loops (IS-77, IS-91).
 //!
 //! No triangle edge may lie in a face of the cell but the face's own arcs. Two crossings on one face are
 //! therefore never joined by an inner edge: the cell across that face could hold the same edge, and an
@@ -25,7 +25,8 @@ pub struct Patch {
     pub triangles: Vec<[PatchVertex; 3]>,
 }
 
-/// Whether the segment between two crossings would lie in a face of the cell.
+/// Whether the segment between two crossings would lie in a face of the cell (IS-91).
+#[doc(alias = "IS-91")]
 pub fn share_a_face(a: Edge, b: Edge) -> bool {
     Face::ALL.into_iter().any(|face| a.in_face(face) && b.in_face(face))
 }
@@ -49,7 +50,7 @@ pub fn patch(topology: &Topology) -> Patch {
         match loops[..] {
             [rim] => patch.disk(rim),
             [first, second] => patch.annulus(first, second),
-            _ => unreachable!("a component in a cell is a disk or an annulus (IS-58)"),
+            _ => unreachable!("a component in a cell is a disk or an annulus (IS-77)"),
         }
     }
     patch
@@ -83,7 +84,9 @@ impl Patch {
     }
 }
 
-/// The triangulation of a closed polygon of crossings whose inner edges are allowed and shortest in sum.
+/// The triangulation of a closed polygon of crossings whose inner edges are allowed and shortest in sum; none
+/// where an inner vertex is needed (IS-90).
+#[doc(alias = "IS-90")]
 fn polygon(rim: &[Edge]) -> Option<Vec<[Edge; 3]>> {
     let n = rim.len();
     // best[i][j]: cost and apex of the best triangulation of rim[i..=j].
@@ -120,7 +123,8 @@ fn polygon(rim: &[Edge]) -> Option<Vec<[Edge; 3]>> {
 const CONE: u32 = 1000;
 
 /// The shortest strip of polygons between two loops, both oriented as its boundary: triangles, and, where
-/// no allowed rung is near, larger polygons, each of which a cone over an inner vertex will fill.
+/// no allowed rung is near, larger polygons, each of which a cone over an inner vertex will fill (IS-92).
+#[doc(alias = "IS-92")]
 fn strip(first: &[Edge], second: &[Edge]) -> Vec<Vec<Edge>> {
     let shortest = (0..first.len())
         .flat_map(|i| (0..second.len()).map(move |j| (i, j)))
@@ -134,7 +138,7 @@ fn strip(first: &[Edge], second: &[Edge]) -> Vec<Vec<Edge>> {
             search.best
         })
         .min();
-    let (_, pieces) = shortest.expect("the two loops of a tunnel have at least two allowed rungs (IS-61)");
+    let (_, pieces) = shortest.expect("the two loops of a tunnel have at least two allowed rungs (IS-92)");
     pieces
 }
 

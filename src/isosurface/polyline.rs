@@ -85,8 +85,9 @@ impl Raster {
 /// f > c on the left where x runs to the right and y up.
 ///
 /// Each vertex is the start of at most one segment and the end of at most one; it misses one only on the
-/// border of the grid. With broken ties, vertices of different edges may lie in one point.
+/// border of the grid (IS-46). With broken ties, vertices of different edges may lie in one point.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
+#[doc(alias = "IS-46")]
 pub struct Polyline {
     /// Positions; grid point (i, j) lies at (i, j).
     pub vertices: Vec<[Rational; 2]>,
@@ -105,10 +106,15 @@ pub struct DegenerateGridSquare {
 }
 
 /// The contour {f = c} by marching squares: f piecewise bilinear, ambiguous squares by their determinant
-/// (IS-?marching squares); it draws any implicit curve (IS-35).
+/// (IS-45); it draws any implicit curve (IS-35). Its polygon follows the topology, not the curvature, of an interpolant (IS-50).
 ///
-/// Errors: a square of which c is a critical value, unless ties are broken.
+/// Errors: a square of which c is a critical value, unless ties are broken. Samples equal to c may spoil the manifold
+/// (IS-49), and need not (IS-48).
 #[doc(alias = "IS-35")]
+#[doc(alias = "IS-45")]
+#[doc(alias = "IS-48")]
+#[doc(alias = "IS-49")]
+#[doc(alias = "IS-50")]
 pub fn squares(raster: &Raster, isovalue: &Rational, tie: Tie) -> Result<Polyline, DegenerateGridSquare> {
     let mut drawing = Drawing::new(raster, isovalue);
     for square in raster.squares() {

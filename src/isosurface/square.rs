@@ -56,13 +56,16 @@ impl SquareEdge {
 /// Counter-clockwise, side i goes from corner i of [`SquareCorner::CYCLE`] to the next.
 const SIDES: [SquareEdge; 4] = [SquareEdge(0), SquareEdge(2), SquareEdge(3), SquareEdge(1)];
 
-/// Where the isovalue is a critical value of the square.
+/// Where the isovalue is a critical value of the square, or a corner's (IS-47).
+#[doc(alias = "IS-47")]
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum DegenerateSquare {
-    /// A corner's value equals the isovalue.
+    /// A corner's value equals the isovalue; the edges may then hold infinitely many zeros (IS-38).
+    #[doc(alias = "IS-38")]
     #[error("the value at corner {} equals the isovalue", .0.index())]
     Corner(SquareCorner),
-    /// The signs of the corners alternate, and the saddle lies at the isovalue.
+    /// The signs of the corners alternate, and the saddle lies at the isovalue: the contour is two lines (IS-41).
+    #[doc(alias = "IS-41")]
     #[error("the saddle ({u}, {v}) lies at the isovalue")]
     Saddle {
         /// Where it lies.
@@ -95,7 +98,8 @@ impl Crossing {
 pub struct SquareContour {
     /// The critical point of the bilinear function, wherever in the plane it lies; none iff f_uv = 0.
     pub saddle: Option<Saddle>,
-    /// The sign of (g₀₀−c)(g₁₁−c) − (g₁₀−c)(g₀₁−c).
+    /// The sign of (g₀₀−c)(g₁₁−c) − (g₁₀−c)(g₀₁−c): which side of an ambiguous square is connected (IS-44).
+    #[doc(alias = "IS-44")]
     pub determinant_sign: Sign,
     /// The arcs of the contour, from crossed edge to crossed edge, with f > c on the left where u runs to the
     /// right and v up; sorted.
@@ -117,7 +121,7 @@ enum Obstacle {
 }
 
 /// The contour {f = c} of the bilinear function with values [g₀₀, g₁₀, g₀₁, g₁₁] at the corners of the square
-/// (IS-?marching squares).
+/// (IS-36, IS-37, IS-42).
 ///
 /// Where the signs alternate around the square, the contour is a hyperbola about the saddle, and the corners
 /// with the greater product of values less c are joined: (0,0) and (1,1) iff the determinant is positive.
@@ -125,7 +129,9 @@ enum Obstacle {
 ///
 /// Errors: iff ties are not broken and a corner's value is c, or the signs alternate and the saddle's value is
 /// c. Where ties are broken, signs are those for c − ε, and t is the limit for ε → 0.
-#[doc(alias = "IS-?marching squares")]
+#[doc(alias = "IS-36")]
+#[doc(alias = "IS-37")]
+#[doc(alias = "IS-42")]
 pub fn contour(values: &[Rational; 4], isovalue: &Rational, tie: Tie) -> Result<SquareContour, DegenerateSquare> {
     let level = values.each_ref().map(|v| Rational::from(v - isovalue));
     let saddle = match bilinear_critical(values) {
@@ -169,6 +175,8 @@ fn decide<K: Enclosure>(level: &[K; 4]) -> Result<Decisions, Obstacle> {
 }
 
 impl Decisions {
+    /// Whether there are two ways to join the crossings (IS-39).
+    #[doc(alias = "IS-39")]
     fn alternates(&self) -> bool {
         let [p00, p10, p01, p11] = self.positive;
         p00 == p11 && p10 == p01 && p00 != p10

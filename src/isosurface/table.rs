@@ -65,7 +65,7 @@ impl Table {
             None => &entry.patch,
             Some(tunnel) => {
                 let known = entry.tunnels.iter().find(|(join, _)| *join == tunnel);
-                &known.expect("the table has every class of cells (IS-56)").1
+                &known.expect("the table has every class of cells (IS-80)").1
             }
         }
     }

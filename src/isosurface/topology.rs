@@ -1,4 +1,4 @@
-//! The topology of a whole piecewise trilinear isosurface (IS-62).
+//! The topology of a whole piecewise trilinear isosurface (IS-89).
 
 use super::boundary::arcs;
 use super::cell::{Decisions, assemble};
@@ -138,7 +138,7 @@ impl Gathering<'_, '_> {
 }
 
 /// The topology of {f = c}, f piecewise trilinear: χ = crossings − arcs on faces + Σ χ of the pieces in
-/// the cells, over each component (IS-62).
+/// the cells, over each component (IS-89).
 ///
 /// Whether it converges to that of the sampled surface under refinement is left open (IS-70); it need not agree with
 /// the total curvature of the samples' cubic spline (IS-73).
@@ -146,6 +146,7 @@ impl Gathering<'_, '_> {
 /// Errors: a cell of which c is a critical value, unless ties are broken.
 #[doc(alias = "IS-70")]
 #[doc(alias = "IS-73")]
+#[doc(alias = "IS-89")]
 pub fn topology(level: &Level) -> Result<GridTopology, DegenerateCell> {
     gather(level, |cell| level.decisions(cell))
 }

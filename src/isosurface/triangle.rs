@@ -5,7 +5,8 @@ use super::polyline::{Drawing, Polyline, Raster};
 use crate::number::Rational;
 use thiserror::Error;
 
-/// What a level set cuts out of a triangle, no corner being at the level (IS-?ex5.17).
+/// What a level set cuts out of a triangle, no corner being at the level: never ambiguous (IS-51, IS-52).
+#[doc(alias = "IS-52")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TriangleCase {
     /// No edge is crossed.
@@ -15,8 +16,8 @@ pub enum TriangleCase {
     Segment([[usize; 2]; 2]),
 }
 
-/// The case of a triangle by which of its corners have f > c (IS-?ex5.17).
-#[doc(alias = "IS-?ex5.17")]
+/// The case of a triangle by which of its corners have f > c (IS-51).
+#[doc(alias = "IS-51")]
 pub fn case(positive: [bool; 3]) -> TriangleCase {
     // The corner whose sign is its own, if there is one.
     let Some(lone) = (0..3).find(|&i| positive[i] != positive[(i + 1) % 3] && positive[i] != positive[(i + 2) % 3])
@@ -37,10 +38,10 @@ pub struct DegeneratePoint {
 }
 
 /// The contour {f = c} by marching triangles: each square is cut along its diagonal from (0,0) to (1,1), and f is
-/// linear on both halves (IS-?marching triangles). The diagonal, not the data, decides the ambiguous squares.
+/// linear on both halves (IS-53). The diagonal, not the data, decides the ambiguous squares.
 ///
 /// Errors: iff a sample equals c and ties are not broken.
-#[doc(alias = "IS-?marching triangles")]
+#[doc(alias = "IS-53")]
 pub fn triangles(raster: &Raster, isovalue: &Rational, tie: Tie) -> Result<Polyline, DegeneratePoint> {
     if let (Tie::Degenerate, Some(point)) = (tie, raster.sample_at(isovalue)) {
         return Err(DegeneratePoint { point });

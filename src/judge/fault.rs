@@ -203,18 +203,19 @@ impl Fault {
     /// The spec entry of the truth that it breaks.
     pub const fn formula(&self) -> &'static str {
         match self {
-            Fault::NotFinite { .. } | Fault::OutsideGrid { .. } | Fault::Misplaced { .. } => "IS-13",
-            Fault::Defect(_) | Fault::Hole { .. } => "IS-6",
+            Fault::NotFinite { .. } | Fault::OutsideGrid { .. } | Fault::Misplaced { .. } => "IS-30",
+            Fault::Defect(Defect::NonmanifoldVertex { .. }) => "IS-11",
+            Fault::Defect(_) | Fault::Hole { .. } => "IS-10",
             Fault::StrayVertex { .. }
             | Fault::VertexAtGridPoint { .. }
             | Fault::MissingCrossing { .. }
-            | Fault::RepeatedCrossing { .. } => "IS-32",
-            Fault::AcrossCells { .. } | Fault::TriangleInFace { .. } | Fault::EdgeInFace { .. } => "IS-36",
-            Fault::WrongLoops { .. } => "IS-39",
-            Fault::Reversed { .. } => "IS-61",
-            Fault::WrongComponents { .. } => "IS-49",
-            Fault::WrongTotals { .. } | Fault::Refused { .. } => "IS-62",
-            Fault::NeitherTie { .. } => "IS-60",
+            | Fault::RepeatedCrossing { .. } => "IS-54",
+            Fault::AcrossCells { .. } | Fault::TriangleInFace { .. } | Fault::EdgeInFace { .. } => "IS-91",
+            Fault::WrongLoops { .. } => "IS-76",
+            Fault::Reversed { .. } => "IS-94",
+            Fault::WrongComponents { .. } => "IS-77",
+            Fault::WrongTotals { .. } | Fault::Refused { .. } => "IS-89",
+            Fault::NeitherTie { .. } => "IS-86",
         }
     }
 

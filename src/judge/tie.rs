@@ -18,7 +18,7 @@ use crate::number::Rational;
 
 /// Judges a mesh as the isosurface at a tie.
 ///
-/// Errors: never for a level that the symbolic perturbation decides, which is every one (IS-60).
+/// Errors: never for a level that the symbolic perturbation decides, which is every one (IS-86).
 pub fn judge_tied(
     volume: &Volume,
     isovalue: &Rational,

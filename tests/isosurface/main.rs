@@ -6,3 +6,4 @@ mod interpolation;
 mod limits;
 mod surfaces;
 mod tetrahedra_spec;
+mod witness;
