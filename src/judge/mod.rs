@@ -1,4 +1,6 @@
 //! The harness that judges a candidate against the oracle.
 
+pub mod junit;
 pub mod report;
 pub mod svg;
+pub mod text;
