@@ -91,7 +91,7 @@ fn header(report: &Report) -> Markup {
 fn summary(report: &Report) -> Markup {
     let whole = report.cases.iter().filter(|row| row.asked > 0 && row.passed == row.asked).count();
     let rate = |row: &&Row| (row.passed as f64 / row.asked as f64 * 1e9) as u64;
-    let worst = report.rows().filter(|row| row.asked > row.passed).min_by_key(rate);
+    let worst = report.rows().filter(|row| row.wrong + row.broken > 0).min_by_key(rate);
     let ways = match report.failures.len() {
         0 => "No way of failing was found.".to_owned(),
         1 => "One way of failing was found; below is the smallest question that shows it.".to_owned(),
@@ -137,9 +137,9 @@ fn row_name(report: &Report, row: &Row) -> Markup {
 }
 
 fn row_class(row: &Row) -> &'static str {
-    match (row.asked, row.passed) {
+    match (row.asked, row.wrong + row.broken) {
         (0, _) => "unasked",
-        (asked, passed) if asked == passed => "whole",
+        (_, 0) => "whole",
         (_, _) => "faulty",
     }
 }
@@ -158,7 +158,7 @@ fn cases(report: &Report) -> Markup {
                             th.n scope="col" { "asked" } th.n scope="col" { "right" }
                             th.n scope="col" { "wrong" } th.n scope="col" { "broken" }
                             @if declined { th.n scope="col" { "declined" } }
-                            th.n scope="col" { "% right" }
+                            th.n scope="col" abbr="percent right" { "%" }
                         } }
                         tbody { @for row in rows {
                             tr class=(row_class(row)) {
@@ -305,19 +305,18 @@ fn extra_section(section: &Section) -> Markup {
 }
 
 fn extra_table(caption: &str, columns: &[String], rows: &[Vec<String>]) -> Markup {
-    let is_number = |cell: &str| cell.starts_with(|c: char| c.is_ascii_digit() || "-−+≈".contains(c));
-    let class = |cell: &str| if is_number(cell) { "n" } else { "t" };
-    // A column's heading stands over its cells.
-    let heading = |i: usize| rows.first().and_then(|row| row.get(i)).map_or("t", |cell| class(cell));
+    let is_number = |cell: &str| cell.starts_with(|c: char| c.is_ascii_digit() || "-−–+≈".contains(c));
+    let is_numeric = |i: usize| i > 0 && rows.iter().all(|row| row.get(i).is_some_and(|cell| is_number(cell)));
+    let class = |i: usize| if is_numeric(i) { "n" } else { "t" };
     html! {
         div.scroll { table {
             caption { (caption) }
             thead { tr { @for (i, column) in columns.iter().enumerate() {
-                th class=(if i == 0 { "t" } else { heading(i) }) scope="col" { (column) }
+                th class=(class(i)) scope="col" { (column) }
             } } }
             tbody { @for row in rows {
                 tr { @for (i, cell) in row.iter().enumerate() {
-                    @if i == 0 { th scope="row" { (cell) } } @else { td class=(class(cell)) { (cell) } }
+                    @if i == 0 { th scope="row" { (cell) } } @else { td class=(class(i)) { (cell) } }
                 } }
             } }
         } }

@@ -206,22 +206,20 @@ impl Report {
     pub fn verdict_sentence(&self) -> String {
         let Row { asked, passed, wrong, broken, unsupported, .. } = self.total();
         let of = format!("of {} questions", grouped(asked));
-        let wrong_answers = match wrong {
-            0 => "no answer is wrong".to_owned(),
-            1 => "1 answer is wrong".to_owned(),
-            n => format!("{} answers are wrong", grouped(n)),
-        };
         let declined = match unsupported {
             0 => String::new(),
             n => format!(" It declined {}.", grouped(n)),
         };
+        let answers = |n: usize| {
+            if n == 1 { "1 answer is wrong".to_owned() } else { format!("{} answers are wrong", grouped(n)) }
+        };
         match self.verdict {
             Outcome::Passed => format!("Every answer is right: {} {of}.{declined}", grouped(passed)),
-            Outcome::Wrong => format!("Not right: {wrong_answers}, {of}.{declined}"),
-            Outcome::Broken => format!(
-                "Broken: it crashed, hung or spoke nonsense on {} {of}, and {wrong_answers}.{declined}",
-                grouped(broken)
-            ),
+            Outcome::Wrong => format!("{}, {of}.{declined}", answers(wrong)),
+            Outcome::Broken => {
+                let others = if wrong == 0 { String::new() } else { format!(", and {}", answers(wrong)) };
+                format!("It crashed, hung or spoke nonsense on {} {of}{others}.{declined}", grouped(broken))
+            }
         }
     }
 }

@@ -30,17 +30,18 @@ pub fn text(report: &Report, colour: bool) -> String {
         out += &format!("\n{more} more ways of failing are in the other forms of this report.\n");
     }
     out += &format!(
-        "\nLargest position error on an edge: {} ulp (binary64), {} ulp (binary32).\n",
+        "\nLargest position error on an edge: {} ulp of binary64, {} ulp of binary32.\n",
         report.position_error.binary64_ulp, report.position_error.binary32_ulp
     );
     let seconds = &report.seconds;
     out += &format!(
-        "Seconds: {:.2} waiting for the candidate, {:.2} in the oracle, {:.2} in all. Seed {}.\n",
+        "Seconds: {:.2} for the candidate, {:.2} for the oracle, {:.2} in all. Seed {}.\n",
         seconds.candidate, seconds.oracle, seconds.total, report.seed
     );
     let verdict = report.verdict.word().to_uppercase();
-    out += &format!("{}  {}\n", ink.verdict(report.verdict, &verdict), report.verdict_sentence());
-    out
+    let lines = wrapped(&report.verdict_sentence(), WIDTH - verdict.len() - 2);
+    let indent = " ".repeat(verdict.len() + 2);
+    out + &format!("{}  {}\n", ink.verdict(report.verdict, &verdict), lines.join(&format!("\n{indent}")))
 }
 
 /// The cases in two columns where two fit, reading down the first and then the second.
@@ -98,26 +99,37 @@ fn table(heading: &str, rows: &[Row], ink: &Ink) -> Vec<String> {
 }
 
 fn one_failure(number: usize, failure: &Failure, ink: &Ink) -> String {
-    let heading = format!("{number}. {} · {} · {}", failure.row, plain(&failure.fault), failure.formula);
-    let mut out = ink.bold(&heading) + "\n";
+    let heading = format!("{number}. {} · {} · {}", failure.row, failure.fault, failure.formula);
+    let mut out = ink.bold(&plain(&heading)) + "\n";
     let case = if failure.case == failure.row { String::new() } else { format!("case {}, ", failure.case) };
     let [nx, ny, nz] = failure.question.shape;
     let values = failure.question.values.join(" ");
     let question = format!("{case}{nx}×{ny}×{nz} at {}: {values}", failure.question.isovalue);
     let mut lines = vec![question];
     match failure.differences.split_first() {
-        None => lines.extend(failure.messages.first().map(|message| plain(message))),
+        None => lines.extend(failure.messages.first().cloned()),
         Some((first, others)) => {
             let more = if others.is_empty() { String::new() } else { format!(" (and {} more)", others.len()) };
-            let (expected, found) = (plain(&first.expected), plain(&first.found));
-            lines.push(format!("{}: expected {expected}, found {found}{more}", plain(&first.invariant)));
+            lines.push(format!("{}: expected {}, found {}{more}", first.invariant, first.expected, first.found));
         }
     }
     for line in lines {
-        out += &format!("   {}\n", shortened(&line, WIDTH - 3));
+        out += &format!("   {}\n", shortened(&plain(&line), WIDTH - 3));
     }
     // A command is for copying: it is never shortened.
     out + &format!("   {}\n", ink.faint(&plain(&failure.command)))
+}
+
+/// Lines of at most so many characters, but for longer words.
+fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => *line += &format!(" {word}"),
+            Some(_) | None => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }
 
 /// At most so many characters, the last one then "…".

@@ -28,13 +28,13 @@ const MOST_HINTS: usize = 18;
 pub fn volume_picture(question: &QuestionRecord, surface: Option<&SurfaceRecord>, title: &str) -> Picture {
     let cells = question.shape.map(|n| n.saturating_sub(1).max(1));
     let longest = cells.into_iter().max().unwrap_or(1) as f64;
-    let stage = Stage::new(cells, (300.0 / longest).clamp(20.0, 165.0), 46.0);
+    let stage = Stage::new(cells, (380.0 / longest).clamp(24.0, 195.0), 46.0);
     let samples = Samples::new(question);
     let mut description = samples.description(question);
     let mut svg = Group::new();
     svg = stage.lines(svg, Layer::Behind);
-    svg = samples.dots(svg, &stage, Layer::Behind);
     svg = samples.hints(svg, &stage, Layer::Behind);
+    svg = samples.dots(svg, &stage, Layer::Behind);
     if let Some(surface) = surface {
         let (triangles, left_out) = mesh::triangles(surface, cells, |p| stage.place(p));
         description += &format!(" The surface has {} triangles.", surface.faces.len());
@@ -54,9 +54,15 @@ pub fn volume_picture(question: &QuestionRecord, surface: Option<&SurfaceRecord>
 
 /// A case as a small icon: one cell of it, with its surface through the middles of the edges.
 pub fn case_icon(case: Case) -> Picture {
-    let of_case = classes().into_iter().find(|class| Case::of(class) == case);
-    let decisions = of_case.expect("each of the 33 cases has a class");
     let stage = Stage::new([1, 1, 1], 24.0, 5.0);
+    // Of the positions of the case, the first of those that show most of the surface.
+    let shown = |class: &Decisions| {
+        let triangles = icon_triangles(class, &stage);
+        let area = triangles.iter().map(|(_, _, [a, b, c])| (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
+        area.map(f64::abs).sum::<f64>().round() as u64
+    };
+    let of_case = classes().into_iter().filter(|class| Case::of(class) == case && class.positive.count_ones() <= 4);
+    let decisions = of_case.rev().max_by_key(shown).expect("each of the 33 cases has a class");
     let mut svg = stage.lines(Group::new().set("stroke-width", 0.8), Layer::Behind);
     for (facing, brightness, corners) in icon_triangles(&decisions, &stage) {
         svg = svg.add(
@@ -135,7 +141,7 @@ impl Stage {
             left: margin - min_x * scale,
             top: margin + max_y * scale,
             width: (max_x - min_x) * scale + 2.0 * margin,
-            height: (max_y - min_y) * scale + 2.0 * margin,
+            height: (max_y - min_y) * scale + 2.0 * margin + if margin > 20.0 { 14.0 } else { 0.0 },
         }
     }
 
@@ -172,9 +178,10 @@ impl Stage {
                 let [p, q] = [from, to].map(|p| self.place(p.map(|x| x as f64)));
                 let mut line = segment(p, q)
                     .set("class", if is_box { "edge" } else { "grid" })
-                    .set("stroke", if is_box { "#4a5262" } else { "#9aa1ae" });
+                    .set("stroke", "#4a5262")
+                    .set("stroke-opacity", if is_box { 1.0 } else { 0.5 });
                 if layer == Layer::Behind {
-                    line = line.set("stroke-dasharray", "4 4").set("stroke-opacity", 0.7);
+                    line = line.set("stroke-dasharray", "4 4").set("stroke-opacity", if is_box { 0.7 } else { 0.35 });
                 }
                 svg = svg.add(line);
             }
@@ -184,7 +191,7 @@ impl Stage {
 
     /// The directions of the axes, in the lower left corner.
     fn axes(&self, mut svg: Group) -> Group {
-        let (x, y) = (18.0, self.height - 22.0);
+        let (x, y) = (16.0, self.height - 14.0);
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
             let mut unit = [0.0; 3];
             unit[axis] = 22.0;

@@ -136,7 +136,7 @@ fn hatching(triangle: &[Seen; 3]) -> String {
             .filter_map(|i| {
                 let (p, q) = (&triangle[i], &triangle[(i + 1) % 3]);
                 let t = (level - height(p)) / (height(q) - height(p));
-                (0.0..1.0).contains(&t).then(|| [p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)])
+                (0.0..1.0).contains(&t).then_some([p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)])
             })
             .collect();
         if let [[x1, y1], [x2, y2], ..] = ends[..] {
