@@ -76,7 +76,12 @@ fn adapted(f: &Trivariate, isovalue: Rational, region: Region, refinement: Refin
 fn check_leaf(level: &Trivariate, leaf: &Leaf, cell: &Region) {
     let corners = Corner::ALL.map(|c| level.evaluate(&cell.corner(c)));
     match leaf.verdict {
-        Verdict::Empty(sign) => assert!(corners.iter().all(|f| Sign::of(f.cmp0()) == sign)),
+        Verdict::Empty(sign) => {
+            for n in 0..27 {
+                let at = cell.point(&[n % 3, n / 3 % 3, n / 9].map(|i| q(i, 2)));
+                assert_eq!(Sign::of(level.evaluate(&at).cmp0()), sign);
+            }
+        }
         Verdict::Simple { positive, axis } => {
             // The trilinear function with these corner values makes the same disk.
             let trilinear = cell::topology(&corners, &Rational::new(), Tie::Degenerate).expect("no tie");
@@ -362,6 +367,20 @@ mod surfaces {
         assert_eq!(at(corners), Some(vec![component(1, 1, 0); 8]));
         // And nothing: the box inside the sphere.
         assert_eq!(at(cube(q(-1, 2), q(1, 2))), Some(vec![]));
+    }
+
+    #[test]
+    fn a_cap_that_pokes_through_one_face_between_its_edges_is_found() {
+        // f = z + 1/10 − 16 x(1−x) y(1−y) increases with z in the whole box, and all corners and edges are
+        // positive: only the face z = 0, in which a closed curve lies, stops the box from being called empty.
+        let [x, y, z] = xyz();
+        let bump = |x: &Trivariate| x.clone() - &square(x);
+        let f = z + &constant(1, 10) - &(bump(&x) * &bump(&y) * &constant(16, 1));
+        let region = Region::new([q(0, 1), q(0, 1), q(0, 1)], [q(1, 1), q(1, 1), q(2, 1)]).expect("a box");
+        let at = |depth| adapted(&f, q(0, 1), region.clone(), Refinement::halving(depth));
+        let whole = at(0).leaves()[0].verdict;
+        assert_eq!(whole, Verdict::Uncertified(Part([Extent::Across, Extent::Across, Extent::Low])));
+        assert_eq!(at(12).topology(), Some(vec![component(1, 1, 0)]));
     }
 
     #[test]

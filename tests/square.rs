@@ -1,7 +1,7 @@
 //! Contours of squares, triangles and whole grids.
 
 use isoracle::isosurface::cell::Tie;
-use isoracle::isosurface::multilinear::bilinear;
+use isoracle::isosurface::multilinear::{bilinear, bilinear_gradient};
 use isoracle::isosurface::polyline::{Polyline, Raster, RasterError, squares};
 use isoracle::isosurface::square::{DegenerateSquare, SquareContour, SquareCorner, SquareEdge, contour};
 use isoracle::isosurface::triangle::{TriangleCase, case, triangles};
@@ -121,7 +121,9 @@ mod one_square {
                     continue;
                 }
                 let saddle = contour.saddle.as_ref().expect("an ambiguous square has a saddle");
-                assert_eq!(bilinear(&values, &[saddle.u.clone(), saddle.v.clone()]), saddle.value);
+                let at = [saddle.u.clone(), saddle.v.clone()];
+                assert_eq!(bilinear(&values, &at), saddle.value);
+                assert_eq!(bilinear_gradient(&values, &at), [0, 0]);
                 // The saddle lies in the region that is joined.
                 let positive = usize::from(values[1] > c);
                 let joined = if saddle.value > c { positive } else { 1 - positive };
