@@ -6,7 +6,7 @@ too so that there is something for a judge to refute.
 """
 from itertools import permutations, product
 
-from candidate import serve
+from candidate import Unsupported, serve
 
 
 def tetrahedra(volume):
@@ -14,6 +14,8 @@ def tetrahedra(volume):
     nx, ny, nz = volume.shape
     f = {(i, j, k): volume.values[i + nx * (j + ny * k)] for i, j, k in product(range(nx), range(ny), range(nz))}
     c = volume.isovalue
+    if c in volume.values:
+        raise Unsupported("tie: no values on the isovalue")
     vertices, faces, seen = [], [], {}
 
     def crossing(p, q):

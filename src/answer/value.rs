@@ -170,10 +170,14 @@ pub fn optional<T>(
     object.get(name).map(read).transpose().map_err(|error| error.within(Step::Field(name)))
 }
 
+/// A list, its items as they are.
+pub fn list(value: &Value) -> Result<&[Value], InvalidField> {
+    value.as_array().map(Vec::as_slice).ok_or_else(|| wrong_type("an array", value))
+}
+
 /// A list of any length.
 pub fn items<T>(value: &Value, read: impl Fn(&Value) -> Result<T, InvalidField>) -> Result<Vec<T>, InvalidField> {
-    let list = value.as_array().ok_or_else(|| wrong_type("an array", value))?;
-    list.iter().enumerate().map(|(i, item)| read(item).map_err(|error| error.within(Step::Item(i)))).collect()
+    list(value)?.iter().enumerate().map(|(i, item)| read(item).map_err(|error| error.within(Step::Item(i)))).collect()
 }
 
 /// A list of a given length.

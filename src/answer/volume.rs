@@ -35,7 +35,7 @@ pub fn from_file(path: &Path) -> Result<Volume, InvalidField> {
 fn in_line(volume: &Object) -> Result<Volume, InvalidField> {
     let shape = value::field(volume, "shape", value::shape)?;
     value::field(volume, "values", |values| {
-        let list = values.as_array().map(Vec::as_slice).unwrap_or_default();
+        let list = value::list(values)?;
         // Most volumes are all of small integers, or all of binary64 numbers; both are kept as such.
         if let Some(integers) = list.iter().map(small_integer).collect() {
             Ok(Volume::integers(shape, integers))

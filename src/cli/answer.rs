@@ -1,7 +1,6 @@
 //! `isoracle answer`.
 
 use clap::Args;
-use miette::IntoDiagnostic;
 use std::io;
 use std::process::ExitCode;
 
@@ -18,7 +17,6 @@ A line that is no question, or one without an answer, is answered with an error,
 
 impl Answer {
     pub fn run(self) -> miette::Result<ExitCode> {
-        isoracle::answer::serve(io::stdin().lock(), io::stdout()).into_diagnostic()?;
-        Ok(ExitCode::SUCCESS)
+        super::to_stdout(isoracle::answer::serve(io::stdin().lock(), io::stdout()))
     }
 }

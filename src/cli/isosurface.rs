@@ -1,20 +1,19 @@
 //! `isoracle isosurface`.
 
+use super::progress;
 use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressStyle};
 use isoracle::answer::mesh::record;
 use isoracle::answer::value::InvalidField;
 use isoracle::answer::volume;
 use isoracle::format::{self, FormatError};
 use isoracle::isosurface::cell;
-use isoracle::isosurface::mesh;
+use isoracle::isosurface::fast;
 use isoracle::isosurface::volume::{DegenerateCell, Level};
 use isoracle::number::Rational;
 use isoracle::number::text::{self, NumberError};
 use miette::Diagnostic;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::time::Duration;
 use thiserror::Error;
 
 /// Mesh the isosurface {f = c} of a volume: homeomorphic to it, vertices on grid edges correctly rounded.
@@ -67,30 +66,22 @@ enum Failure {
 
 impl Isosurface {
     pub fn run(self) -> miette::Result<ExitCode> {
-        let progress = spinner(format!("reading {}", self.volume.display()));
+        let spinner = progress::spinner(format!("reading {}", self.volume.display()));
         let volume = volume::from_file(&self.volume).map_err(Failure::Volume)?;
         tracing::info!(shape = ?volume.shape(), "read {}", self.volume.display());
         let tie = self.tie.map_or(cell::Tie::Degenerate, |Tie::Below| cell::Tie::Below);
         let level = Level { volume: &volume, isovalue: self.isovalue, tie };
         let cells: usize = volume.shape().iter().map(|n| n - 1).product();
-        progress.set_message(format!("meshing {cells} cells"));
-        let mesh = mesh::extract(&level).map_err(Failure::Degenerate)?;
-        progress.set_message(format!("writing {}", self.out.display()));
+        spinner.set_message(format!("meshing {cells} cells"));
+        let mesh = fast::extract(&level).map_err(Failure::Degenerate)?;
+        spinner.set_message(format!("writing {}", self.out.display()));
         let record = record(&mesh, &level);
         format::write_mesh(&self.out, &record).map_err(Failure::Out)?;
-        progress.finish_and_clear();
+        spinner.finish_and_clear();
         let (vertices, triangles) = (record.vertices.len(), record.faces.len());
         eprintln!("{}: {vertices} vertices, {triangles} triangles", self.out.display());
         Ok(ExitCode::SUCCESS)
     }
-}
-
-/// A sign of life on a terminal; nothing elsewhere.
-fn spinner(message: String) -> ProgressBar {
-    let style = ProgressStyle::with_template("{spinner} {msg} ({elapsed})").expect("the template is sound");
-    let progress = ProgressBar::new_spinner().with_style(style).with_message(message);
-    progress.enable_steady_tick(Duration::from_millis(100));
-    progress
 }
 
 fn number(text: &str) -> Result<Rational, NumberError> {

@@ -4,10 +4,16 @@
 //! candidate broke.
 
 mod answer;
+mod candidate;
+mod check;
+mod demo;
 mod isosurface;
+mod judge;
+mod progress;
 mod spec;
 
 use clap::{ArgAction, Parser, Subcommand};
+use miette::IntoDiagnostic;
 use std::io::{self, IsTerminal};
 use std::process::ExitCode;
 use tracing_subscriber::filter::{LevelFilter, Targets};
@@ -30,7 +36,11 @@ Exit codes: 0 it is so, 1 it is refuted, 2 the command line or a file cannot be 
 #[derive(Subcommand)]
 enum Command {
     Answer(answer::Answer),
+    Candidate(candidate::Candidate),
+    Check(check::Check),
+    Demo(demo::Demo),
     Isosurface(isosurface::Isosurface),
+    Judge(judge::Judge),
     Spec(spec::Spec),
 }
 
@@ -42,13 +52,15 @@ pub fn main() -> ExitCode {
     log_to_stderr(cli.verbose);
     let outcome = match cli.command {
         Command::Answer(answer) => answer.run(),
+        Command::Candidate(candidate) => candidate.run(),
+        Command::Check(check) => check.run(),
+        Command::Demo(demo) => demo.run(),
         Command::Isosurface(isosurface) => isosurface.run(),
+        Command::Judge(judge) => judge.run(),
         Command::Spec(spec) => spec.run(),
     };
     match outcome {
         Ok(code) => code,
-        // Whoever reads stdout has seen enough.
-        Err(report) if is_broken_pipe(&report) => ExitCode::SUCCESS,
         Err(report) => {
             eprintln!("{report:?}");
             ExitCode::from(UNUSABLE)
@@ -56,11 +68,12 @@ pub fn main() -> ExitCode {
     }
 }
 
-fn is_broken_pipe(report: &miette::Report) -> bool {
-    report.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
-        || report.chain().any(|cause| {
-            cause.downcast_ref::<io::Error>().is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
-        })
+/// Writing to stdout; whoever stopped reading it has seen enough, which is no failure.
+fn to_stdout(outcome: io::Result<()>) -> miette::Result<ExitCode> {
+    match outcome {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error).into_diagnostic(),
+        Err(_) | Ok(()) => Ok(ExitCode::SUCCESS),
+    }
 }
 
 fn log_to_stderr(verbose: u8) {

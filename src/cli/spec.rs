@@ -53,20 +53,16 @@ impl Spec {
         }
         if let Some(directory) = &self.html {
             write_pages(directory, &entries)?;
-        } else {
-            let text = if self.json {
-                serde_json::to_string_pretty(&entries).into_diagnostic()? + "\n"
-            } else if self.id.is_some() {
-                entries.iter().map(Entry::to_string).collect()
-            } else {
-                entries
-                    .iter()
-                    .map(|entry| format!("{:<6}  {:<21}  {}\n", entry.id, entry.verdict, entry.title))
-                    .collect()
-            };
-            io::stdout().write_all(text.as_bytes()).into_diagnostic()?;
+            return Ok(ExitCode::SUCCESS);
         }
-        Ok(ExitCode::SUCCESS)
+        let text = if self.json {
+            serde_json::to_string_pretty(&entries).into_diagnostic()? + "\n"
+        } else if self.id.is_some() {
+            entries.iter().map(Entry::to_string).collect()
+        } else {
+            entries.iter().map(|entry| format!("{:<6}  {:<21}  {}\n", entry.id, entry.verdict, entry.title)).collect()
+        };
+        super::to_stdout(io::stdout().write_all(text.as_bytes()))
     }
 }
 

@@ -28,10 +28,13 @@
 //! The corner values have no ambiguous face, as four crossings on a face contradict (2), and one loop on ∂C;
 //! so the trilinear surface is one disk on the same edges. ∎
 //!
-//! **What stays uncertified.** Where S is regular and transverse to the planes and lines of the grid, every small
-//! enough cell is certified. So the cells that never are close in on the singular points of S, and on the points
-//! where S passes through a corner of the grid or touches one of its edges or planes. The second kind moves with
-//! the share at which cells are split; the first does not.
+//! **What stays uncertified.** A certified cell holds no singular point of S, as a derivative is not zero in it,
+//! no corner on S, and no point where S touches one of the cell's edges or faces. So, at every depth, the
+//! uncertified leaves cover all singular points of S and all such contacts. They close in on S, for f ≠ c holds
+//! away from it and Bernstein coefficients converge to f. Contacts move with the share at which cells are split,
+//! singular points do not. Near-contacts cost depth: an edge that S crosses twice is certified only when a cut
+//! falls between the crossings. That regular surfaces without contacts are always certified at some depth is not
+//! claimed.
 
 use super::bernstein::{Bernstein, Extent, Part, Region};
 use super::cube::{Corner, Edge, Face};

@@ -144,7 +144,8 @@ impl Bernstein {
         common(self.indices(part, None).map(|[i, j, k]| Sign::of(self.at([i, j, k]).cmp0())))
     }
 
-    /// The strict sign of the derivative along an axis, where all its coefficients on a part have it.
+    /// The strict sign of the derivative along one of a part's own axes, where all its coefficients on the part
+    /// have it.
     pub fn slope(&self, part: Part, axis: usize) -> Option<Sign> {
         common(self.indices(part, Some(axis)).map(|index| {
             let mut next = index;
@@ -173,11 +174,12 @@ impl Bernstein {
         &self.coefficients[i + (self.degrees[0] + 1) * (j + (self.degrees[1] + 1) * k)]
     }
 
-    /// The places of a part's coefficients, without the last along `short`.
+    /// The places of a part's coefficients, without the last along `short`; none if that is not its own axis.
     fn indices(&self, part: Part, short: Option<usize>) -> impl Iterator<Item = [usize; 3]> + use<> {
         let [x, y, z] = [0, 1, 2].map(|axis| {
             let n = self.degrees[axis];
             match part.0[axis] {
+                Extent::Low | Extent::High if short == Some(axis) => 0..0,
                 Extent::Low => 0..1,
                 Extent::High => n..n + 1,
                 Extent::Across if short == Some(axis) => 0..n,
@@ -201,7 +203,7 @@ fn common(mut signs: impl Iterator<Item = Sign>) -> Option<Sign> {
 fn map_fibres<T: Clone>(coefficients: &mut [T], degrees: [usize; 3], axis: usize, map: impl Fn(Vec<T>) -> Vec<T>) {
     let stride: usize = degrees[..axis].iter().map(|n| n + 1).product();
     let length = degrees[axis] + 1;
-    for start in (0..coefficients.len()).filter(|i| i / stride % length == 0) {
+    for start in (0..coefficients.len()).filter(|i| (*i / stride).is_multiple_of(length)) {
         let fibre = (0..length).map(|i| coefficients[start + i * stride].clone()).collect();
         for (i, value) in map(fibre).into_iter().enumerate() {
             coefficients[start + i * stride] = value;

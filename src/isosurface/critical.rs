@@ -62,7 +62,7 @@ pub enum TrilinearCritical {
     Point(CriticalPoint<Rational>),
     /// In two points, in ℚ(√d); then f_xyz ≠ 0, and their mean is the centre, where all mixed second
     /// derivatives vanish.
-    Pair([CriticalPoint<Surd>; 2]),
+    Pair(Box<[CriticalPoint<Surd>; 2]>),
     /// On a straight line; then f_xyz = 0.
     Line {
         /// A point of the line.
@@ -111,7 +111,7 @@ pub fn trilinear_critical(g: &[Rational; 8]) -> TrilinearCritical {
             TrilinearCritical::Hyperbola { centre, axis, product }
         }
         (_, Sign::Negative | Sign::Zero) => TrilinearCritical::None,
-        (_, Sign::Positive) => TrilinearCritical::Pair([1, -1].map(|side| {
+        (_, Sign::Positive) => TrilinearCritical::Pair(Box::new([1, -1].map(|side| {
             let surd = |a: &Rational, b: Rational| Surd::new(a.clone(), b, &square).expect("pqr > 0");
             let [x0, y0, z0] = &centre.position;
             let share = |x: &Rational| Rational::from(side) / x;
@@ -119,7 +119,7 @@ pub fn trilinear_critical(g: &[Rational; 8]) -> TrilinearCritical {
                 position: [surd(x0, share(&p)), surd(y0, share(&q)), surd(z0, share(&r))],
                 value: surd(&centre.value, k.clone() * (-2 * side)),
             }
-        })),
+        }))),
     }
 }
 

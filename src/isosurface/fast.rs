@@ -35,6 +35,23 @@ impl Ambiguity {
     }
 }
 
+/// Whether each sample of a level is outside, f > c; a tie is.
+pub fn outside(level: &Level) -> Vec<bool> {
+    match small_differences(level) {
+        Some(differences) => differences.iter().map(|&d| d >= 0).collect(),
+        None => (0..level.volume.len()).map(|i| level.is_outside(i)).collect(),
+    }
+}
+
+/// The first cell of which c is a critical value, if there is one.
+///
+/// # Errors
+/// That cell.
+pub fn regular(level: &Level) -> Result<(), DegenerateCell> {
+    let decider = Decider::new(level);
+    level.volume.cells().try_for_each(|cell| decider.decisions(cell).map(drop))
+}
+
 /// Decides the cells of a level, and knows their triangles.
 pub struct Decider<'a, 'b> {
     level: &'a Level<'b>,

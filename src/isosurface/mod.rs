@@ -1,6 +1,8 @@
 //! Isosurfaces of sampled functions: multilinear interpolation and the marching algorithms.
 
 pub mod adaptive;
+#[cfg(feature = "quickcheck")]
+mod arbitrary;
 pub mod bernstein;
 pub mod boundary;
 pub mod cases;
@@ -15,6 +17,8 @@ pub mod multilinear;
 pub mod patch;
 pub mod polyline;
 pub mod square;
+#[cfg(feature = "proptest")]
+pub mod strategy;
 pub mod symmetry;
 pub mod table;
 pub mod tetrahedra;
@@ -22,3 +26,4 @@ pub mod topology;
 pub mod triangle;
 pub mod trivariate;
 pub mod volume;
+pub mod witness;

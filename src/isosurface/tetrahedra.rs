@@ -43,7 +43,7 @@ fn kuhn(from: Corner) -> Vec<[Corner; 4]> {
         // The walk is right-handed iff its order is even and it starts at a corner of even coordinate sum, or
         // neither.
         let even_order = (order[0] + 1) % 3 == order[1];
-        if even_order == (coordinate_sum(from) % 2 == 0) { [from, p, q, r] } else { [from, q, p, r] }
+        if even_order == (coordinate_sum(from).is_multiple_of(2)) { [from, p, q, r] } else { [from, q, p, r] }
     };
     ORDERS.map(walk).to_vec()
 }
@@ -52,7 +52,7 @@ fn five(parity: usize) -> Vec<[Corner; 4]> {
     let mut tetrahedra = vec![if parity == 0 { [0, 5, 3, 6] } else { [1, 2, 4, 7] }.map(|c| Corner::ALL[c])];
     for c in Corner::ALL.into_iter().filter(|c| coordinate_sum(*c) % 2 != parity) {
         let [x, y, z] = [0, 1, 2].map(|axis| c.across(axis));
-        tetrahedra.push(if coordinate_sum(c) % 2 == 0 { [c, x, y, z] } else { [c, y, x, z] });
+        tetrahedra.push(if coordinate_sum(c).is_multiple_of(2) { [c, x, y, z] } else { [c, y, x, z] });
     }
     tetrahedra
 }

@@ -64,6 +64,12 @@ impl Gathering<'_, '_> {
 
     fn add(&mut self, cell: [usize; 3], decisions: &Decisions) {
         let sample = |c: usize| self.level.volume.corner_index(cell, Corner::ALL[c]);
+        if matches!(decisions.positive, 0 | 255) {
+            for c in 1..8 {
+                self.samples.join(sample(0), sample(c));
+            }
+            return;
+        }
         let mut parts = decisions.parts();
         for c in 0..8 {
             self.samples.join(sample(c), sample(parts.find(c)));

@@ -139,6 +139,14 @@ pub enum Fault {
         /// The truth and the mesh's.
         difference: Difference,
     },
+    /// A question that has an answer was answered with an error.
+    #[error("it answers with an error ({kind}): {message}")]
+    Refused {
+        /// The error's kind.
+        kind: String,
+        /// Its message.
+        message: String,
+    },
     /// At a tie: neither the surface just below the isovalue nor the one just above.
     #[error("neither the surface of c − ε nor that of c + ε")]
     NeitherTie {
@@ -187,6 +195,7 @@ impl Fault {
             Fault::Reversed { .. } => "reversed-orientation",
             Fault::WrongComponents { .. } => "wrong-components",
             Fault::WrongTotals { .. } => "wrong-totals",
+            Fault::Refused { .. } => "refused",
             Fault::NeitherTie { .. } => "neither-tie",
         }
     }
@@ -204,7 +213,7 @@ impl Fault {
             Fault::WrongLoops { .. } => "IS-39",
             Fault::Reversed { .. } => "IS-61",
             Fault::WrongComponents { .. } => "IS-49",
-            Fault::WrongTotals { .. } => "IS-62",
+            Fault::WrongTotals { .. } | Fault::Refused { .. } => "IS-62",
             Fault::NeitherTie { .. } => "IS-60",
         }
     }

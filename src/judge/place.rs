@@ -2,7 +2,8 @@
 
 use super::fault::{Cell, Fault};
 use super::report::PositionError;
-use crate::isosurface::cube::{Corner, Edge};
+use crate::isosurface::cube::Edge;
+use crate::isosurface::fast;
 use crate::isosurface::volume::{GridEdge, Level};
 use crate::number::{Integer, Rational, binary};
 
@@ -121,20 +122,12 @@ pub struct Sides {
 impl Sides {
     /// The sides of all samples of a level.
     pub fn new(level: &Level) -> Sides {
-        Sides { outside: (0..level.volume.len()).map(|i| level.is_outside(i)).collect() }
+        Sides { outside: fast::outside(level) }
     }
 
     /// Whether the surface crosses an edge of the grid.
     pub fn crosses(&self, level: &Level, edge: GridEdge) -> bool {
         self.outside[edge.low as usize] != self.outside[level.high(edge)]
-    }
-
-    /// The set of the outside corners of a cell.
-    pub fn signs(&self, level: &Level, cell: Cell) -> u8 {
-        Corner::ALL
-            .into_iter()
-            .filter(|c| self.outside[level.volume.corner_index(cell, *c)])
-            .fold(0, |set, c| set | c.bit())
     }
 }
 

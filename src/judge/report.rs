@@ -146,3 +146,103 @@ pub struct Seconds {
     /// The whole run.
     pub total: f64,
 }
+
+/// The record as JSON, indented: every other form of report can be made from it.
+pub fn json(report: &Report) -> String {
+    serde_json::to_string_pretty(report).expect("a report has text keys and no number that JSON lacks a form for")
+}
+
+impl Outcome {
+    /// The verdict in one word.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Outcome::Passed => "passed",
+            Outcome::Wrong => "wrong",
+            Outcome::Broken => "broken",
+        }
+    }
+}
+
+impl Row {
+    /// The share of the questions answered rightly, in percent, rounded down to a tenth: "100" only where
+    /// all are; "–" where none was asked.
+    pub fn pass_rate(&self) -> String {
+        match (self.passed * 1000).checked_div(self.asked) {
+            None => "–".to_owned(),
+            Some(1000) => "100".to_owned(),
+            Some(tenths) => format!("{}.{}", tenths / 10, tenths % 10),
+        }
+    }
+}
+
+impl Report {
+    /// Every line of the table: the cases, then the groups.
+    pub fn rows(&self) -> impl Iterator<Item = &Row> {
+        self.cases.iter().chain(&self.groups)
+    }
+
+    /// The sum of all rows.
+    pub fn total(&self) -> Row {
+        let sum = |count: fn(&Row) -> usize| self.rows().map(count).sum();
+        let mut faults: Vec<(String, usize)> = Vec::new();
+        for (name, count) in self.rows().flat_map(|row| &row.faults) {
+            match faults.iter_mut().find(|(known, _)| known == name) {
+                Some((_, total)) => *total += count,
+                None => faults.push((name.clone(), *count)),
+            }
+        }
+        Row {
+            name: "all".to_owned(),
+            asked: sum(|row| row.asked),
+            passed: sum(|row| row.passed),
+            wrong: sum(|row| row.wrong),
+            broken: sum(|row| row.broken),
+            unsupported: sum(|row| row.unsupported),
+            faults,
+        }
+    }
+
+    /// The verdict in one sentence.
+    pub fn verdict_sentence(&self) -> String {
+        let Row { asked, passed, wrong, broken, unsupported, .. } = self.total();
+        let of = format!("of {} questions", grouped(asked));
+        let wrong_answers = match wrong {
+            0 => "no answer is wrong".to_owned(),
+            1 => "1 answer is wrong".to_owned(),
+            n => format!("{} answers are wrong", grouped(n)),
+        };
+        let declined = match unsupported {
+            0 => String::new(),
+            n => format!(" It declined {}.", grouped(n)),
+        };
+        match self.verdict {
+            Outcome::Passed => format!("Every answer is right: {} {of}.{declined}", grouped(passed)),
+            Outcome::Wrong => format!("Not right: {wrong_answers}, {of}.{declined}"),
+            Outcome::Broken => format!(
+                "Broken: it crashed, hung or spoke nonsense on {} {of}, and {wrong_answers}.{declined}",
+                grouped(broken)
+            ),
+        }
+    }
+}
+
+impl QuestionRecord {
+    /// The question in the protocol's form, as one line: `{"op":…,"in":{"volume":…,"isovalue":…}}`.
+    pub fn json(&self) -> String {
+        let volume = serde_json::json!({"shape": self.shape, "values": self.values});
+        serde_json::json!({"op": self.op, "in": {"volume": volume, "isovalue": self.isovalue}}).to_string()
+    }
+}
+
+/// A count with its thousands set apart: "12,345".
+pub fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}

@@ -111,6 +111,7 @@ impl Untied<'_, '_> {
             | Fault::OutsideGrid { .. }
             | Fault::Defect(_)
             | Fault::Misplaced { .. }
+            | Fault::Refused { .. }
             | Fault::NeitherTie { .. } => true,
         }
     }

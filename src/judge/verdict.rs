@@ -80,13 +80,12 @@ pub(super) fn judge_indexed(
         let decider = Decider::new(level);
         for cell in level.volume.cells() {
             let triangles = by_cell.get(&level.volume.index(cell)).map_or(&[][..], Vec::as_slice);
-            if triangles.is_empty() && matches!(sides.signs(level, cell), 0 | 255) {
-                // Uniform cells are still asked, for a sample at the isovalue.
-                decider.decisions(cell)?;
+            let decisions = decider.decisions(cell)?;
+            if triangles.is_empty() && matches!(decisions.positive, 0 | 255) {
                 continue;
             }
             let judged = CellMesh { level, places: &of, triangles, cell };
-            judged.faults(&assemble(decider.decisions(cell)?), &mut faults);
+            judged.faults(&assemble(decisions), &mut faults);
         }
         if faults.iter().all(|fault| matches!(fault, Fault::Misplaced { .. })) {
             faults.extend(totals(level, mesh)?);

@@ -227,12 +227,12 @@ fn field(line: &str) -> Option<(&str, &str)> {
 }
 
 impl Draft {
-    /// The entry with this heading; none where it is the heading of a section, `(a) Squares`.
+    /// The entry with this heading; none where it is the heading of a section, its first word without a digit.
     fn of(heading: &str) -> Result<Option<Draft>, NotAnId> {
-        if heading.starts_with('(') {
+        let (id, title) = heading.split_once(char::is_whitespace).unwrap_or((heading, ""));
+        if !id.contains(|c: char| c.is_ascii_digit()) {
             return Ok(None);
         }
-        let (id, title) = heading.split_once(char::is_whitespace).unwrap_or((heading, ""));
         let (id, title) = (id.parse()?, title.trim().to_owned());
         Ok(Some(Draft { id, title, fields: Vec::new(), is_open: false, notes: String::new() }))
     }

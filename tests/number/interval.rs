@@ -80,6 +80,7 @@ mod nu_8 {
             anything.clone() + &large,
             -anything.clone() * &large,
             anything.checked_div(&large).expect("positive"),
+            anything.checked_div(&-large.clone()).expect("negative"),
             large.checked_div(&large).expect("positive"),
         ] {
             assert!(!i.lo().is_nan() && !i.hi().is_nan());

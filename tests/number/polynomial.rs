@@ -180,6 +180,14 @@ mod nu_16 {
     }
 
     #[test]
+    fn a_rational_root_next_to_an_interval_is_not_taken_for_its_own() {
+        // (x² − 3x + 1)(x − 3): the irrational 2.618… is parted from 3, the next integer.
+        let isolated = roots(&(polynomial(&[1, -3, 1]) * &polynomial(&[-3, 1])));
+        let rationals: Vec<_> = isolated.iter().map(Algebraic::rational).collect();
+        assert_eq!(rationals, [None, None, Some(&q(3, 1))]);
+    }
+
+    #[test]
     fn refinement_reaches_the_width_and_keeps_the_root() {
         let root = roots(&square_minus(2)).pop().expect("two roots");
         let refined = root.refined(200);
@@ -271,6 +279,17 @@ mod nu_18 {
         assert_eq!(x[1].refined(300), y[2]);
         assert!(Algebraic::from(q(665_857, 470_832)) > x[1]);
         assert!(Algebraic::from(q(275_807, 195_025)) < x[1]);
+    }
+
+    #[test]
+    fn two_roots_of_one_polynomial_with_a_third_between_them_are_different() {
+        let isolated = roots(&polynomial(&[0, -2, 0, 1]));
+        assert_eq!(isolated.len(), 3);
+        for (i, x) in isolated.iter().enumerate() {
+            for (j, y) in isolated.iter().enumerate() {
+                assert_eq!(x.cmp(y), i.cmp(&j));
+            }
+        }
     }
 
     #[test]

@@ -1,0 +1,183 @@
+//! `isoracle judge`.
+
+use super::progress;
+use clap::{Args, ValueEnum};
+use isoracle::answer::value::{self, InvalidField};
+use isoracle::answer::volume;
+use isoracle::isosurface::cell::Tie;
+use isoracle::judge::candidate::{Breakdown, Process};
+use isoracle::judge::html::{Section, page};
+use isoracle::judge::junit::junit;
+use isoracle::judge::place::Tolerance;
+use isoracle::judge::report::{Outcome, Report, json};
+use isoracle::judge::run::{self, Judgement, Settings};
+use isoracle::judge::suite::{Question, Row};
+use isoracle::judge::text::text;
+use miette::{Diagnostic, IntoDiagnostic};
+use std::io::{self, IsTerminal};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Duration;
+use thiserror::Error;
+
+/// Judge an implementation: ask it the suite over the protocol, and compare its meshes with the exact truth.
+///
+/// The candidate is one long-lived process that reads a line of JSON a question and writes one an answer. If it
+/// hangs, dies or writes garbage, that costs the question, and it is started anew.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct Judge {
+    /// The questions to ask.
+    #[arg(long, value_enum, default_value_t = Suite::Isosurface)]
+    suite: Suite,
+    /// The seed of the random questions; the same seed asks the same ones.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// How many pairs, grids, near-degenerate questions and ties to ask, each.
+    #[arg(long, value_name = "N", default_value_t = 200)]
+    cases: usize,
+    /// Seconds that an answer may take.
+    #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = seconds)]
+    limit: f64,
+    /// How far a vertex may be from the true crossing, in units in the last place of binary32.
+    #[arg(long, value_name = "ULP", default_value_t = Tolerance::default().0)]
+    max_ulp: f64,
+    /// Where to write report.json, report.html and report.xml (JUnit); nothing is written without it but
+    /// report.json in the working folder.
+    #[arg(long, value_name = "FOLDER")]
+    report: Option<PathBuf>,
+    /// Ask this one question instead of the suite: the `in` of an isosurface.mesh question, as a report quotes it.
+    #[arg(long, value_name = "JSON")]
+    question: Option<String>,
+    /// The candidate: a program and its arguments.
+    #[arg(last = true, required = true, value_name = "COMMAND")]
+    command: Vec<String>,
+}
+
+const AFTER_HELP: &str = "\
+Exit codes: 0 every answer is right, 1 the candidate is wrong, 2 usage, 3 it crashed, hung or spoke nonsense.
+
+Examples:
+  $ isoracle judge -- isoracle answer
+  $ isoracle judge -- isoracle candidate classic
+  $ isoracle judge --report report -- python3 examples/candidates/skimage_lewiner.py";
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Suite {
+    /// Marching cubes: single cells, pairs, grids, near-degenerate ones, ties.
+    Isosurface,
+}
+
+#[derive(Debug, Error, Diagnostic)]
+pub enum Failure {
+    #[error("the candidate cannot be judged: {0}")]
+    #[diagnostic(help(
+        "a candidate answers {{\"id\":1,\"op\":\"hello\",\"in\":{{\"protocol\":1}}}} with one line of JSON; examples/candidates/README.md shows how"
+    ))]
+    NoHello(Breakdown),
+    #[error("--question: {0}")]
+    #[diagnostic(help(
+        "for example {{\"volume\":{{\"shape\":[2,2,2],\"values\":[1,-1,-1,1,-1,1,1,-1]}},\"isovalue\":0}}"
+    ))]
+    Question(InvalidField),
+    #[error("--question: {0}")]
+    #[diagnostic(help("the question is the `in` of an isosurface.mesh question, in one argument"))]
+    QuestionText(serde_json::Error),
+}
+
+const WRONG: u8 = 1;
+const BROKEN: u8 = 3;
+
+impl Judge {
+    pub fn run(self) -> miette::Result<ExitCode> {
+        let Suite::Isosurface = self.suite;
+        let mut candidate = Process::new(self.command.clone(), Duration::from_secs_f64(self.limit));
+        let settings = Settings { seed: self.seed, cases: self.cases, tolerance: Tolerance(self.max_ulp) };
+        if let Some(text) = &self.question {
+            return ask_one(&mut candidate, text, settings.tolerance);
+        }
+        let bar = progress::bar("judging");
+        let report = run::run(&mut candidate, &settings, |done, of| {
+            bar.set_length(of as u64);
+            bar.set_position(done as u64);
+        });
+        bar.finish_and_clear();
+        let report = match report {
+            Ok(report) => report,
+            Err(breakdown) => {
+                eprintln!("{:?}", miette::Report::new(Failure::NoHello(breakdown)));
+                return Ok(ExitCode::from(BROKEN));
+            }
+        };
+        match &self.report {
+            Some(folder) => write_report(&report, folder, &[])?,
+            None => std::fs::write("report.json", json(&report)).into_diagnostic()?,
+        }
+        print!("{}", text(&report, io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none()));
+        Ok(match report.verdict {
+            Outcome::Passed => ExitCode::SUCCESS,
+            Outcome::Wrong => ExitCode::from(WRONG),
+            Outcome::Broken => ExitCode::from(BROKEN),
+        })
+    }
+}
+
+/// Writes every form of a report into a folder.
+pub fn write_report(report: &Report, folder: &Path, extra: &[Section]) -> miette::Result<()> {
+    std::fs::create_dir_all(folder).into_diagnostic()?;
+    let write = |name: &str, text: String| std::fs::write(folder.join(name), text).into_diagnostic();
+    write("report.json", json(report))?;
+    write("report.html", page(report, extra))?;
+    write("report.xml", junit(report))
+}
+
+/// Asks a question that a report quotes, and says what is wrong with the answer.
+fn ask_one(candidate: &mut Process, text: &str, tolerance: Tolerance) -> miette::Result<ExitCode> {
+    let object: value::Object = serde_json::from_str(text).map_err(Failure::QuestionText)?;
+    let read = || -> Result<Question, InvalidField> {
+        let volume = value::field(&object, "volume", volume::read)?;
+        let isovalue = value::field(&object, "isovalue", value::number)?;
+        Ok(Question { row: Row::Ties, volume, isovalue })
+    };
+    let mut question = read().map_err(Failure::Question)?;
+    let level = question.level(Tie::Degenerate);
+    let is_tied = question.volume.cells().any(|cell| level.decisions(cell).is_err());
+    if !is_tied {
+        question.row = Row::Grids;
+    }
+    Ok(match run::ask(candidate, &question, tolerance) {
+        Judgement::Right(_) => {
+            println!("right");
+            ExitCode::SUCCESS
+        }
+        Judgement::Unsupported(why) => {
+            println!("not supported: {why}");
+            ExitCode::SUCCESS
+        }
+        Judgement::Wrong { faults, .. } => {
+            println!("wrong:");
+            for fault in faults {
+                println!("  {} [{}]: {fault}", fault.name(), fault.formula());
+                if let Some(difference) = fault.difference() {
+                    println!(
+                        "    {}\n      expected {}\n      found    {}",
+                        difference.invariant, difference.expected, difference.found
+                    );
+                }
+            }
+            ExitCode::from(WRONG)
+        }
+        Judgement::Broken(breakdown) => {
+            println!("broken: {breakdown}");
+            ExitCode::from(BROKEN)
+        }
+    })
+}
+
+#[derive(Debug, Error)]
+#[error("a number of seconds above 0, at most 86400")]
+struct NotSeconds;
+
+fn seconds(text: &str) -> Result<f64, NotSeconds> {
+    text.parse().ok().filter(|s: &f64| *s > 0.0 && *s <= 86400.0).ok_or(NotSeconds)
+}

@@ -1,0 +1,116 @@
+//! The answered questions of tests/cases/, asked through the protocol; its README says what conforms.
+#![cfg(feature = "cli")]
+
+use isoracle::answer::serve;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+
+/// An answer in a form in which answers that mean the same are equal.
+fn canonical(op: &str, out: &Value) -> Value {
+    match op {
+        "isosurface.cell" => canonical_cell(out),
+        "isosurface.topology" => {
+            let mut out = out.clone();
+            out["component_list"] = sorted(list(&out["component_list"]).to_vec());
+            out
+        }
+        _ => panic!("no file here asks {op}"),
+    }
+}
+
+fn canonical_cell(out: &Value) -> Value {
+    let loops: Vec<Value> = list(&out["loops"]).iter().map(canonical_cycle).collect();
+    let components = list(&out["components"]).iter().map(|component| {
+        let bounding = list(&component["loops"]).iter().map(|index| loops[integer(index) as usize].clone()).collect();
+        json!([sorted(bounding), component["chi"], component["genus"]])
+    });
+    let parts = |side: &str| sorted(list(&out[side]).iter().map(|part| sorted(list(part).to_vec())).collect());
+    let mut canonical = json!({
+        "components": sorted(components.collect()),
+        "neg_parts": parts("neg_parts"),
+        "pos_parts": parts("pos_parts"),
+    });
+    for field in ["case", "faces", "chi", "b0_neg", "b0_pos", "b1_neg", "b1_pos"] {
+        canonical[field] = out[field].clone();
+    }
+    canonical["loops"] = sorted(loops);
+    canonical
+}
+
+/// A cycle of edges, the least of all its rotations in both directions.
+fn canonical_cycle(cycle: &Value) -> Value {
+    let forward: Vec<Value> = list(cycle).iter().map(|edge| sorted(list(edge).to_vec())).collect();
+    let backward: Vec<Value> = forward.iter().rev().cloned().collect();
+    let rotations = [forward, backward]
+        .into_iter()
+        .flat_map(|cycle| (0..cycle.len()).map(move |i| Value::from([&cycle[i..], &cycle[..i]].concat())));
+    rotations.min_by_key(key).expect("a loop crosses edges")
+}
+
+/// The same list, as a set.
+fn sorted(mut list: Vec<Value>) -> Value {
+    list.sort_by_key(key);
+    Value::from(list)
+}
+
+/// Any total order does.
+fn key(value: &Value) -> String {
+    value.to_string()
+}
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().unwrap_or_else(|| panic!("{value} is a list"))
+}
+
+fn integer(value: &Value) -> u64 {
+    value.as_u64().unwrap_or_else(|| panic!("{value} is a count"))
+}
+
+/// Asks every question of a file at once, and compares every answer; `counts` are the questions by operation.
+fn all_conform(file: &str, counts: &[(&str, usize)]) {
+    let path = format!("{}/tests/cases/{file}", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).expect("the cases are in the repository");
+    let cases: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).expect("a case is JSON")).collect();
+    let questions: String = cases
+        .iter()
+        .map(|case| format!("{}\n", json!({"id": case["case"], "op": case["op"], "in": case["in"]})))
+        .collect();
+    let mut answers = Vec::new();
+    serve(questions.as_bytes(), &mut answers).expect("memory can be read and written");
+    let answers = String::from_utf8(answers).expect("answers are UTF-8");
+    assert_eq!(answers.lines().count(), cases.len());
+    let mut asked = BTreeMap::new();
+    for (case, line) in cases.iter().zip(answers.lines()) {
+        let answer: Value = serde_json::from_str(line).expect("an answer is JSON");
+        let op = case["op"].as_str().expect("a case names its operation");
+        assert_eq!(answer["id"], case["case"]);
+        assert!(answer["out"].is_object(), "{line}");
+        assert_eq!(canonical(op, &answer["out"]), canonical(op, &case["out"]), "{}", case["case"]);
+        *asked.entry(op).or_insert(0) += 1;
+    }
+    assert_eq!(asked.into_iter().collect::<Vec<_>>(), counts);
+}
+
+#[test]
+fn cells_conform() {
+    all_conform("isosurface_cell.jsonl", &[("isosurface.cell", 198)]);
+}
+
+#[test]
+fn topologies_of_volumes_conform() {
+    all_conform("isosurface_topology.jsonl", &[("isosurface.topology", 70)]);
+}
+
+#[test]
+fn broken_ties_conform() {
+    all_conform("isosurface_ties.jsonl", &[("isosurface.cell", 94), ("isosurface.topology", 6)]);
+}
+
+#[test]
+fn cycles_are_compared_in_either_direction_and_as_cycles() {
+    let cycle = json!([[0, 1], [0, 2], [4, 0]]);
+    for same in [json!([[0, 2], [0, 4], [1, 0]]), json!([[0, 1], [0, 4], [2, 0]])] {
+        assert_eq!(canonical_cycle(&cycle), canonical_cycle(&same));
+    }
+    assert_ne!(canonical_cycle(&cycle), canonical_cycle(&json!([[0, 1], [0, 2], [1, 5]])));
+}
