@@ -23,8 +23,10 @@ const SETTINGS: Settings = Settings { seed: 7, cases: 40, tolerance: Tolerance(6
 
 /// A candidate in this process.
 struct InProcess {
-    answer: Box<dyn FnMut(&str, &Value) -> Reply>,
+    answer: Box<Answer>,
 }
+
+type Answer = dyn FnMut(&str, &Value) -> Reply;
 
 impl Candidate for InProcess {
     fn ask(&mut self, op: &str, input: &Value) -> Reply {
@@ -275,7 +277,8 @@ const HELLO: &str = "import sys, json\nfor line in sys.stdin:\n q = json.loads(l
 
 #[test]
 fn what_hangs_dies_or_prints_garbage_costs_the_question_alone() {
-    let ways: [(&str, fn(&Breakdown) -> bool); 4] = [
+    type Way = (&'static str, fn(&Breakdown) -> bool);
+    let ways: [Way; 4] = [
         ("  import time; time.sleep(60)", |b| matches!(b, Breakdown::Hung(_))),
         ("  sys.exit(3)", |b| matches!(b, Breakdown::Ended(_))),
         ("  print('garbage', flush=True)", |b| matches!(b, Breakdown::Nonsense(_))),

@@ -27,14 +27,14 @@ pub enum Degenerate {
         /// The face.
         face: Face,
         /// The saddle, in cell coordinates.
-        point: [Rational; 3],
+        point: Box<[Rational; 3]>,
     },
     /// A critical point of f inside the cell lies at the isovalue (IS-88).
     #[doc(alias = "IS-88")]
     #[error("the critical point ({}, {}, {}) inside the cell lies at the isovalue", .point[0], .point[1], .point[2])]
     Interior {
         /// The critical point, in cell coordinates.
-        point: [Rational; 3],
+        point: Box<[Rational; 3]>,
     },
 }
 
@@ -202,14 +202,14 @@ fn locate(level: &[Integer; 8], obstacle: Obstacle) -> Degenerate {
             let (axis, cycle) = (face.axis(), face.cycle());
             // The saddle in coordinates along the first and the last side of the cycle.
             let [s, t] = saddle(cycle.map(|c| Rational::from(&level[c.index()])));
-            let origin = cycle[0].position().map(|x| Rational::from(x));
+            let origin = cycle[0].position().map(Rational::from);
             let mut point = origin;
             for (end, share) in [(cycle[1], s), (cycle[3], t)] {
                 let along = (cycle[0].index() ^ end.index()).trailing_zeros() as usize;
                 point[along] = if cycle[0].position()[along] == 0 { share } else { Rational::from(1) - share };
             }
             point[axis] = Rational::from(face.side());
-            Degenerate::Face { face, point }
+            Degenerate::Face { face, point: Box::new(point) }
         }
         Obstacle::Interior => {
             let [n, d] = interior::critical_cut(level).expect("the obstacle was found in a cut");
@@ -219,7 +219,7 @@ fn locate(level: &[Integer; 8], obstacle: Obstacle) -> Degenerate {
                 (high - &low) * &w + low
             });
             let [u, v] = saddle(cut);
-            Degenerate::Interior { point: [u, v, w] }
+            Degenerate::Interior { point: Box::new([u, v, w]) }
         }
     }
 }

@@ -39,7 +39,7 @@ pub fn degenerate(values: &[Rational; 8]) -> Option<Degenerate> {
             | TrilinearCritical::Hyperbola { .. }
             | TrilinearCritical::Everywhere => None,
         };
-        point.filter(|point| point.iter().all(inside)).map(|point| Degenerate::Interior { point })
+        point.filter(|point| point.iter().all(inside)).map(|point| Degenerate::Interior { point: Box::new(point) })
     })
 }
 
@@ -57,7 +57,7 @@ fn degenerate_face(values: &[Rational; 8], face: Face) -> Option<Degenerate> {
             (is_inside && saddle.value.is_zero()).then(|| {
                 let mut point = [Rational::new(), Rational::new(), Rational::new()];
                 (point[face.axis()], point[u], point[v]) = (Rational::from(face.side()), saddle.u, saddle.v);
-                Degenerate::Face { face, point }
+                Degenerate::Face { face, point: Box::new(point) }
             })
         }
     }

@@ -63,7 +63,7 @@ impl Builtin {
     }
 
     /// Its mesh of a level, in f64: positions and triangles.
-    pub fn mesh(self, level: &Level) -> Result<(Vec<[f64; 3]>, Vec<[u32; 3]>), DegenerateCell> {
+    pub fn mesh(self, level: &Level) -> Result<Indexed, DegenerateCell> {
         let (positions, mut triangles) = match self {
             Builtin::Classic => return Ok(classic(level)),
             Builtin::WrongFaceRule => build(level, |decisions| patch(&assemble(negative_faces(decisions)))),
@@ -130,7 +130,8 @@ fn fans(decisions: &Decisions) -> Patch {
     patch
 }
 
-type Indexed = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+/// Positions and triangles.
+pub type Indexed = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
 fn build(level: &Level, triangles_of: impl Fn(Decisions) -> Patch) -> Result<Indexed, DegenerateCell> {
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());

@@ -263,7 +263,7 @@ pub fn failure(
         Judgement::Wrong { faults, mesh, .. } => {
             let mut messages: Vec<String> = faults.iter().map(Fault::to_string).collect();
             messages.truncate(8);
-            let differences = faults.iter().filter_map(Fault::difference).cloned().take(4).collect();
+            let differences = faults.iter().filter_map(Fault::difference).take(4).cloned().collect();
             let cell = faults.iter().find_map(Fault::cell);
             (messages, differences, faults[0].formula(), mesh, cell)
         }

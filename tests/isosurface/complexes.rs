@@ -100,6 +100,23 @@ mod is_2 {
     }
 
     #[test]
+    fn two_triangles_of_a_square_have_their_diagonal_in_common() {
+        let [v, w, x, y] = [0, 1, 2, 3].map(CellId);
+        let sides = [[v, w], [w, x], [x, v], [x, y], [y, w]];
+        let walk = |ids: [(usize, bool); 3]| Cell::Disc(Walk::Edges(ids.map(|(id, way)| (CellId(id), way)).to_vec()));
+        let mut cells = vec![Cell::Vertex; 4];
+        cells.extend(sides.map(Cell::Edge));
+        cells.extend([walk([(4, true), (5, true), (6, true)]), walk([(5, true), (7, true), (8, true)])]);
+        let square = CellComplex::new(cells).expect("a square");
+        let common = square.common_border(CellId(9), CellId(10));
+        assert_eq!(common, BTreeSet::from([w, x, CellId(5)]));
+        assert!(square.is_one_closed_cell(&common));
+        // A triangle and its side have the closed side in common.
+        assert_eq!(square.common_border(CellId(9), CellId(5)), common);
+        assert_eq!(square.euler_characteristic(), 1);
+    }
+
+    #[test]
     fn in_a_simplicial_complex_two_simplices_have_one_simplex_or_nothing_in_common() {
         let with_faces = |s: &Simplex| (0..=s.dimension()).flat_map(|k| s.faces(k)).collect::<BTreeSet<_>>();
         let all: Vec<Simplex> = (1..=4)
