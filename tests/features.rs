@@ -8,6 +8,7 @@ use isoracle::isosurface::volume::{Level, Volume};
 use isoracle::isosurface::{fast, mesh, strategy, topology as whole};
 use isoracle::number::Rational;
 use proptest::prelude::*;
+use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
 fn rationals(values: [i32; 8]) -> [Rational; 8] {

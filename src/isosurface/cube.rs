@@ -130,7 +130,7 @@ impl Face {
     }
 }
 
-/// A symmetry of the cube: corner c goes to the corner with coordinates x′ᵢ = x[axes[i]] ⊕ flips[i].
+/// A symmetry of the cube: corner c goes to the corner with coordinates `x′[i] = x[axes[i]] ⊕ flips[i]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Symmetry {
     axes: [usize; 3],

@@ -28,7 +28,7 @@ impl SquareCorner {
     }
 }
 
-/// An edge of the square: [0,1], [0,2], [1,3] or [2,3], in that order.
+/// An edge of the square: `[0,1]`, `[0,2]`, `[1,3]` or `[2,3]`, in that order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SquareEdge(u8);
 

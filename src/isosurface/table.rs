@@ -1,6 +1,6 @@
 //! The case table of the mesher: the triangles of each of the 768 labelled classes.
 //!
-//! `table.txt` holds it, a line a class; [`derive`] is the rule that it comes from, and a test compares
+//! `table.txt` holds it, a line a class; [`derive`](derive()) is the rule that it comes from, and a test compares
 //! the two.
 
 use super::cell::{Decisions, Join, assemble};
