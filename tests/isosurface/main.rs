@@ -1,3 +1,5 @@
 //! Isosurfaces: each claim of spec/isosurface.md against a second derivation.
 
+mod cells;
+mod domain;
 mod witness;
