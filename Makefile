@@ -15,12 +15,12 @@ demo-peers: build .venv/installed
 	@sh examples/candidates/judge_all.sh $(BIN) .venv/bin/python peers-report
 
 test: m4
-	$(CARGO) test --release --features proptest,quickcheck
+	$(CARGO) test --release --no-fail-fast --features proptest,quickcheck
 	$(PYTHON) -m unittest discover -s examples/candidates
 
 # The heavy sweeps too: larger exhaustive domains, more random cases.
 test-long: m4
-	ISORACLE_LONG=1 PROPTEST_CASES=5000 $(CARGO) test --release --features proptest,quickcheck
+	ISORACLE_LONG=1 PROPTEST_CASES=5000 $(CARGO) test --release --no-fail-fast --features proptest,quickcheck
 
 bench: m4
 	$(CARGO) bench

@@ -7,7 +7,7 @@ use isoracle::answer::value::InvalidField;
 use isoracle::answer::volume;
 use isoracle::format::{self, FormatError};
 use isoracle::isosurface::cell;
-use isoracle::isosurface::fast;
+use isoracle::isosurface::fast::{self, Mismatch};
 use isoracle::isosurface::volume::{DegenerateCell, Level};
 use isoracle::number::Rational;
 use isoracle::number::text::{self, NumberError};
@@ -32,6 +32,9 @@ pub struct Isosurface {
     /// Where to write the mesh: a .ply, .obj or .stl file. STL has binary32 positions alone.
     #[arg(long, value_name = "FILE", value_parser = mesh_path)]
     out: PathBuf,
+    /// Decide one in N cells a second time, by the plain version, and fail if any differs; 0 for none.
+    #[arg(long, value_name = "N", default_value_t = 10_000)]
+    audit: u64,
     /// What to do where c is a critical value: `below` takes c − ε for every small enough ε > 0 instead.
     #[arg(long, value_name = "HOW")]
     tie: Option<Tie>,
@@ -59,6 +62,9 @@ enum Failure {
         "the topology of the isosurface is not defined there; `--tie below` takes an isovalue smaller by an infinitesimal"
     ))]
     Degenerate(DegenerateCell),
+    #[error("audit: {0}")]
+    #[diagnostic(help("nothing was written; a mesh that cannot be trusted is worse than none"))]
+    Audit(Mismatch),
     #[error("--out: {0}")]
     #[diagnostic(help("the mesh could not be written"))]
     Out(FormatError),
@@ -74,6 +80,11 @@ impl Isosurface {
         let cells: usize = volume.shape().iter().map(|n| n - 1).product();
         spinner.set_message(format!("meshing {cells} cells"));
         let mesh = fast::extract(&level).map_err(Failure::Degenerate)?;
+        if self.audit > 0 {
+            spinner.set_message("auditing".to_owned());
+            let audited = fast::audit(&level, self.audit, mesh.triangles.len() as u64).map_err(Failure::Audit)?;
+            tracing::info!(audited, "cells decided twice, alike");
+        }
         spinner.set_message(format!("writing {}", self.out.display()));
         let record = record(&mesh, &level);
         format::write_mesh(&self.out, &record).map_err(Failure::Out)?;

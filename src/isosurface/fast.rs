@@ -13,6 +13,7 @@ use super::table::Table;
 use super::topology::{GridTopology, gather};
 use super::volume::{DegenerateCell, Level, small_differences};
 use crate::number::Word;
+use thiserror::Error;
 
 /// The corners of the ambiguous faces of each of the 256 sign configurations.
 struct Ambiguity {
@@ -170,6 +171,48 @@ pub fn extract_with(level: &Level, mut progress: impl FnMut(usize)) -> Result<Me
     }
     progress(layer);
     Ok(mesh)
+}
+
+/// A cell that the fast and the plain version decide differently: a bug.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("cell {cell:?}: the fast version decides {fast:?}, the plain one {plain:?}; please report this")]
+pub struct Mismatch {
+    /// The lowest grid point of the cell.
+    pub cell: [usize; 3],
+    /// The fast version's decisions.
+    pub fast: Box<Result<Decisions, DegenerateCell>>,
+    /// The plain version's.
+    pub plain: Box<Result<Decisions, DegenerateCell>>,
+}
+
+/// Decides about one in `every` of the cells by the plain version too, the ones that a hash of their number and `seed`
+/// chooses, and tells how many those were.
+///
+/// # Errors
+/// The first cell that the two decide differently.
+pub fn audit(level: &Level, every: u64, seed: u64) -> Result<usize, Mismatch> {
+    let decider = Decider::new(level);
+    let chosen = level
+        .volume
+        .cells()
+        .filter(|cell| hash(level.volume.index(*cell) as u64 ^ seed.rotate_left(32)).is_multiple_of(every.max(1)));
+    let mut audited = 0;
+    for cell in chosen {
+        let (fast, plain) = (decider.decisions(cell), level.decisions(cell));
+        if fast != plain {
+            return Err(Mismatch { cell, fast: Box::new(fast), plain: Box::new(plain) });
+        }
+        audited += 1;
+    }
+    Ok(audited)
+}
+
+/// The finaliser of SplitMix64: every bit of the result depends on every bit of x.
+const fn hash(x: u64) -> u64 {
+    let x = x.wrapping_add(0x9E37_79B9_7F4A_7C15);
+    let x = (x ^ x >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    let x = (x ^ x >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
+    x ^ x >> 31
 }
 
 /// The topology of a level; equal to [`topology::topology`](super::topology::topology).

@@ -110,7 +110,9 @@ fn one_failure(number: usize, failure: &Failure, ink: &Ink) -> String {
         None => lines.extend(failure.messages.first().cloned()),
         Some((first, others)) => {
             let more = if others.is_empty() { String::new() } else { format!(" (and {} more)", others.len()) };
-            lines.push(format!("{}: expected {}, found {}{more}", first.invariant, first.expected, first.found));
+            lines.push(format!("{}{more}", first.invariant));
+            lines.push(format!("  expected {}", first.expected));
+            lines.push(format!("  found    {}", first.found));
         }
     }
     for line in lines {

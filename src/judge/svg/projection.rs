@@ -8,11 +8,12 @@ pub(super) struct View {
     toward: [f64; 3],
 }
 
-/// From x > 0, y < 0, z > 0, in a way that keeps the eight corners of a cube apart: 28° to the side and 22° from above.
+/// From x > 0, y < 0, z > 0: 26° to the side and 10° from above. The eight corners of a cube stay apart, and no triangle
+/// that cuts off a corner or an edge evenly is seen from its side.
 pub(super) const CELL: View = View {
-    right: [0.882_947_6, 0.469_471_6, 0.0],
-    up: [-0.175_867_2, 0.330_758_0, 0.927_183_9],
-    toward: [0.435_286_5, -0.818_649_8, 0.374_606_6],
+    right: [0.898_794_046, 0.438_371_147, 0.0],
+    up: [-0.076_122_351, 0.156_073_948, 0.984_807_753],
+    toward: [0.431_711_304, -0.885_139_345, 0.173_648_178],
 };
 
 /// From x > 0, y > 0, z > 0: 150° to the side and 22° from above. A head whose y axis points forward shows its face.
