@@ -160,6 +160,12 @@ struct CellMesh<'a, 'b> {
 type Loop = Vec<Edge>;
 
 impl CellMesh<'_, '_> {
+    /// "loops", and of which cell where there are several.
+    fn name(&self, what: &str) -> String {
+        let is_alone = self.level.volume.shape() == [2; 3];
+        if is_alone { what.to_owned() } else { format!("{what} in cell {:?}", self.cell) }
+    }
+
     fn share_a_face(&self, a: u32, b: u32) -> bool {
         let [a, b] = [a, b].map(|v| self.places[v as usize]);
         let (Some(a), Some(b)) = (a, b) else { return false };
@@ -192,7 +198,7 @@ impl CellMesh<'_, '_> {
             return;
         }
         let Some(found) = self.loops(next, is_closed) else {
-            let difference = difference("loops", &truth.loops, "arcs that do not close up".into());
+            let difference = difference(&self.name("loops"), &truth.loops, "arcs that do not close up".into());
             faults.push(Fault::WrongLoops { cell, case, difference });
             return;
         };
@@ -207,7 +213,7 @@ impl CellMesh<'_, '_> {
         } else if reversed == truth.loops {
             faults.push(Fault::Reversed { cell, case });
         } else {
-            let difference = difference("loops", &truth.loops, loops_text(&cycles(&found)));
+            let difference = difference(&self.name("loops"), &truth.loops, loops_text(&cycles(&found)));
             faults.push(Fault::WrongLoops { cell, case, difference });
         }
     }
@@ -268,7 +274,7 @@ impl CellMesh<'_, '_> {
         let mut expected: Vec<_> = truth.components.iter().map(|c| (c.loops.clone(), c.chi)).collect();
         expected.sort();
         (found != expected).then(|| Difference {
-            invariant: format!("components of {}", loops_text(&truth.loops)),
+            invariant: format!("{} of {}", self.name("components"), loops_text(&truth.loops)),
             expected: components_text(&expected),
             found: components_text(&found),
         })
