@@ -1,10 +1,10 @@
 //! The fast twin of `cell`, `mesh` and `topology` for whole volumes: the same meaning.
 //!
-//! Integer volumes are decided by machine integers, others by the exact rationals of the plain version;
-//! the triangles come from the frozen table. Most cells of a volume are uniform and are passed over by
+//! Integer volumes are decided by machine integers, others by enclosures and, where these leave a sign open, by the
+//! exact rationals of the plain version; the triangles come from the frozen table. Most cells of a volume are uniform and are passed over by
 //! their signs alone.
 
-use super::cell::{Decisions, decide_below};
+use super::cell::{Decisions, decide, decide_below};
 use super::cube::{Corner, Face};
 use super::interior;
 use super::mesh::{Mesh, Vertex, push};
@@ -12,7 +12,7 @@ use super::patch::PatchVertex;
 use super::table::Table;
 use super::topology::{GridTopology, gather};
 use super::volume::{DegenerateCell, Level, small_differences};
-use crate::number::Word;
+use crate::number::{F64Interval, Sign, Word};
 use thiserror::Error;
 
 /// The corners of the ambiguous faces of each of the 256 sign configurations.
@@ -38,9 +38,14 @@ impl Ambiguity {
 
 /// Whether each sample of a level is outside, f > c; a tie is.
 pub fn outside(level: &Level) -> Vec<bool> {
-    match small_differences(level) {
-        Some(differences) => differences.iter().map(|&d| d >= 0).collect(),
-        None => (0..level.volume.len()).map(|i| level.is_outside(i)).collect(),
+    sides(level, small_differences(level).as_deref()).into_iter().map(|side| side != Sign::Negative).collect()
+}
+
+/// The sign of f − c at each sample.
+fn sides(level: &Level, small: Option<&[i32]>) -> Vec<Sign> {
+    match small {
+        Some(differences) => differences.iter().map(|d| Sign::of(d.cmp(&0))).collect(),
+        None => (0..level.volume.len()).map(|i| level.side(i)).collect(),
     }
 }
 
@@ -60,8 +65,8 @@ pub struct Decider<'a, 'b> {
     ambiguity: Ambiguity,
     /// The samples less c, where they are small integers.
     small: Option<Vec<i32>>,
-    /// Whether each sample is outside.
-    outside: Vec<bool>,
+    /// The sign of f − c at each sample.
+    sides: Vec<Sign>,
     /// The numbers of a cell's corners, less that of its lowest.
     offsets: [usize; 8],
 }
@@ -70,12 +75,9 @@ impl<'a, 'b> Decider<'a, 'b> {
     /// Prepares a level.
     pub fn new(level: &'a Level<'b>) -> Decider<'a, 'b> {
         let small = small_differences(level);
-        let outside = match &small {
-            Some(differences) => differences.iter().map(|&d| d >= 0).collect(),
-            None => (0..level.volume.len()).map(|i| level.is_outside(i)).collect(),
-        };
+        let sides = sides(level, small.as_deref());
         let offsets = Corner::ALL.map(|c| level.volume.corner_index([0; 3], c));
-        Decider { level, table: Table::frozen(), ambiguity: Ambiguity::new(), small, outside, offsets }
+        Decider { level, table: Table::frozen(), ambiguity: Ambiguity::new(), small, sides, offsets }
     }
 
     /// The table.
@@ -86,12 +88,12 @@ impl<'a, 'b> Decider<'a, 'b> {
     /// The set of the corners of a cell that are outside.
     pub fn signs(&self, cell: [usize; 3]) -> u8 {
         let low = self.level.volume.index(cell);
-        (0..8).fold(0, |set, c| set | u8::from(self.outside[low + self.offsets[c]]) << c)
+        (0..8).fold(0, |set, c| set | u8::from(self.sides[low + self.offsets[c]] != Sign::Negative) << c)
     }
 
     /// The decisions of a cell; equal to [`Level::decisions`].
     pub fn decisions(&self, cell: [usize; 3]) -> Result<Decisions, DegenerateCell> {
-        let Some(differences) = &self.small else { return self.level.decisions(cell) };
+        let Some(differences) = &self.small else { return self.decide_exact(cell) };
         let low = self.level.volume.index(cell);
         let values = self.offsets.map(|offset| i64::from(differences[low + offset]));
         match self.decide_small(&values) {
@@ -99,6 +101,20 @@ impl<'a, 'b> Decider<'a, 'b> {
             // A tie: the plain version says where, or breaks it.
             None if self.level.tie == super::cell::Tie::Below => Ok(decide_below(&values.map(|v| Word(i128::from(v))))),
             None => self.level.decisions(cell),
+        }
+    }
+
+    /// By the signs of the samples where they agree, by enclosures where these settle it, else by rationals.
+    fn decide_exact(&self, cell: [usize; 3]) -> Result<Decisions, DegenerateCell> {
+        let low = self.level.volume.index(cell);
+        let is_tied = self.offsets.iter().any(|offset| self.sides[low + offset] == Sign::Zero);
+        match self.signs(cell) {
+            positive @ (0 | 255) if !is_tied => Ok(Decisions { positive, faces: [0; 6], tunnel: None }),
+            _ => {
+                let difference = |offset| self.level.volume.sample(low + offset) - &self.level.isovalue;
+                let enclosures = self.offsets.map(|offset| F64Interval::from_rational(&difference(offset)));
+                decide(&enclosures).or_else(|_| self.level.decisions(cell))
+            }
         }
     }
 

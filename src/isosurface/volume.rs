@@ -229,9 +229,14 @@ impl Level<'_> {
         position
     }
 
+    /// The sign of f − c at a sample.
+    pub fn side(&self, index: usize) -> Sign {
+        Sign::of(self.volume.sample(index).cmp(&self.isovalue))
+    }
+
     /// Whether a sample is outside, f > c; a tie that is broken is.
     pub fn is_outside(&self, index: usize) -> bool {
-        Sign::of(self.volume.sample(index).cmp(&self.isovalue)) != Sign::Negative
+        self.side(index) != Sign::Negative
     }
 }
 
