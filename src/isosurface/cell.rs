@@ -202,7 +202,7 @@ fn locate(level: &[Integer; 8], obstacle: Obstacle) -> Degenerate {
             let (axis, cycle) = (face.axis(), face.cycle());
             // The saddle in coordinates along the first and the last side of the cycle.
             let [s, t] = saddle(cycle.map(|c| Rational::from(&level[c.index()])));
-            let origin = cycle[0].position().map(|x| Rational::from(x));
+            let origin = cycle[0].position().map(Rational::from);
             let mut point = origin;
             for (end, share) in [(cycle[1], s), (cycle[3], t)] {
                 let along = (cycle[0].index() ^ end.index()).trailing_zeros() as usize;

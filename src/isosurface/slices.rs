@@ -24,7 +24,7 @@ impl Line<'_> {
     /// Where the value is of a sign (1 or −1), `None` where nowhere.
     fn heights(&self, sign: i32) -> Option<Heights> {
         let is_of_sign = self.values.map(|v| Rational::from(v * sign) > 0);
-        let zero = || Rational::from(self.values[0] / Rational::from(self.values[0] - self.values[1]));
+        let zero = || self.values[0] / Rational::from(self.values[0] - self.values[1]);
         match is_of_sign {
             [false, false] => None,
             [true, true] => Some([Rational::new(), Rational::from(1)]),

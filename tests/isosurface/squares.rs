@@ -244,8 +244,7 @@ mod is_42 {
             let [u, v] = saddle(&g);
             for c in pair {
                 for n in 0..=8 {
-                    let share =
-                        |from: &Rational, to: usize| Rational::from(to) * q(n, 8) + Rational::from(from * q(8 - n, 8));
+                    let share = |from: &Rational, to: usize| Rational::from(to) * q(n, 8) + from * q(8 - n, 8);
                     let value = bilinear(&rationals(&g), &[share(&u, c & 1), share(&v, c >> 1)]);
                     assert_eq!(Sign::of(value.cmp0()).value(), g[c].signum() as i8, "{g:?}");
                 }
