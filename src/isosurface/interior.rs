@@ -111,3 +111,24 @@ pub(super) fn join<K: Enclosure>(values: &[K; 8]) -> Result<Option<Join>, Obstac
 pub(super) fn critical_cut<K: Enclosure>(values: &[K; 8]) -> Option<[K; 2]> {
     extreme(values).ok().flatten().map(|extreme| [extreme.n, extreme.d])
 }
+
+#[cfg(test)]
+mod is_74 {
+    use super::*;
+    use crate::isosurface::multilinear::trilinear;
+    use crate::number::{Rational, Ring};
+
+    #[test]
+    fn its_coefficients_are_those_of_the_determinant_of_the_cut() {
+        for seed in 0..500i64 {
+            let g: [Rational; 8] =
+                std::array::from_fn(|i| Rational::from((seed + 3) * (2 * i as i64 + 7) * 31 % 19 - 9));
+            let [q0, q1, q2] = determinant(&g);
+            for w in [0, 1, 2, -3].map(Rational::from) {
+                let at = |x: i64, y: i64| trilinear(&g, &[Rational::integer(x), Rational::integer(y), w.clone()]);
+                let value = at(0, 0) * at(1, 1) - at(1, 0) * at(0, 1);
+                assert_eq!((q2.clone() * &w + &q1) * &w + &q0, value);
+            }
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::report::{Failure, Outcome, Report, Row, Seconds, SurfaceRecord, grouped};
 use super::svg::{self, Picture};
+use super::text::ulp;
 use crate::isosurface::cases::Case;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -330,7 +331,7 @@ fn footer(report: &Report) -> Markup {
         footer {
             dl {
                 div { dt { "Largest position error on a grid edge" }
-                    dd { (error.binary64_ulp) " ulp of binary64, " (error.binary32_ulp) " ulp of binary32" } }
+                    dd { (ulp(error.binary64_ulp)) " ulp of binary64, " (ulp(error.binary32_ulp)) " ulp of binary32" } }
                 div { dt { "Time" }
                     dd { (format!("{candidate:.2} s for the candidate, {oracle:.2} s for the oracle’s plain answers, {total:.2} s in all")) } }
                 div { dt { "Seed" } dd { (report.seed) " – the same seed asks the same questions" } }

@@ -1,6 +1,6 @@
 //! The report for a terminal, 80 columns wide.
 
-use super::report::{Failure, Outcome, Report, Row};
+use super::report::{Failure, Outcome, Report, Row, grouped};
 
 /// The most failures that are shown.
 const MOST_FAILURES: usize = 10;
@@ -31,7 +31,8 @@ pub fn text(report: &Report, colour: bool) -> String {
     }
     out += &format!(
         "\nLargest position error on an edge: {} ulp of binary64, {} ulp of binary32.\n",
-        report.position_error.binary64_ulp, report.position_error.binary32_ulp
+        ulp(report.position_error.binary64_ulp),
+        ulp(report.position_error.binary32_ulp)
     );
     let seconds = &report.seconds;
     out += &format!(
@@ -120,6 +121,14 @@ fn one_failure(number: usize, failure: &Failure, ink: &Ink) -> String {
     }
     // A command is for copying: it is never shortened.
     out + &format!("   {}\n", ink.faint(&plain(&failure.command)))
+}
+
+/// An error in units in the last place, to three significant digits or the whole unit.
+pub(super) fn ulp(error: f64) -> String {
+    match error {
+        e if e >= 100.0 => grouped(e.round() as usize),
+        e => format!("{e:.3}"),
+    }
 }
 
 /// Lines of at most so many characters, but for longer words.

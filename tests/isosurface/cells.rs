@@ -182,11 +182,10 @@ mod is_76 {
         let square = corners.map(|c| Rational::from(values[c.index()]));
         let contour = contour(&square, &Rational::new(), Tie::Degenerate).expect("the cell is not degenerate");
         sorted(contour.segments.iter().map(|segment| {
-            let ends = segment.map(|side| {
+            segment.map(|side| {
                 let [a, b] = side.corners().map(|c| corners[c.index()]);
                 Edge::between(a, b).expect("a side of a face is an edge")
-            });
-            ends
+            })
         }))
     }
 
@@ -255,7 +254,7 @@ mod is_78 {
         let mut heights = vec![q(0, 1), q(1, 1)];
         for (a, b) in low.iter().zip(&high) {
             if Sign::of(a.cmp0()) != Sign::of(b.cmp0()) {
-                heights.push(Rational::from(a / Rational::from(a - b)));
+                heights.push(a / Rational::from(a - b));
             }
         }
         heights.sort();
@@ -393,9 +392,9 @@ mod is_96 {
     #[test]
     fn subdivision_shows_the_topology_and_closed_forms_the_critical_point_of_all_cells_of_few_values() {
         for set in SETS {
-            let sound = all::<8>(&set).filter(|values| agree(values, &words(values), 14)).count();
-            // Neither kind is rare.
-            assert!((16_384..=57_344).contains(&sound), "{sound} of 65,536");
+            let sound = all::<8>(&set).filter(|values| agree(values, &words(values), 40)).count();
+            // Degenerate cells occur, and most are not.
+            assert!((32_768..65_536).contains(&sound), "{sound} of 65,536 in {set:?}");
         }
         if is_long() {
             all::<8>(&[-3, -2, -1, 1, 2, 3]).for_each(|values| {

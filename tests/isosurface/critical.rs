@@ -161,7 +161,7 @@ mod is_87 {
                 assert_eq!(told, Err(Degenerate::Face { face: Face::new(2, 0), point: Box::new(point) }));
                 // On its two sides the face joins different pairs.
                 let sides = [-1, 1].map(|s| {
-                    let near = Rational::from(&c + q(s, 100));
+                    let near = q(s, 100) + &c;
                     decisions(&cell, &near, Tie::Degenerate).expect("1/100 off a critical value").faces[4]
                 });
                 assert_eq!(sides, [1, -1], "{g:?}");
