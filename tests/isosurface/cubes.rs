@@ -185,7 +185,7 @@ mod is_57 {
     fn at_determinant_0_there_is_no_decision() {
         let told = topology(&rationals(&[1, -1, -1, 1, 2, 2, 2, 2]), &Rational::new(), Tie::Degenerate);
         let point = [q(1, 2), q(1, 2), q(0, 1)];
-        assert_eq!(told, Err(Degenerate::Face { face: Face::new(2, 0), point }));
+        assert_eq!(told, Err(Degenerate::Face { face: Face::new(2, 0), point: Box::new(point) }));
     }
 }
 
