@@ -132,10 +132,12 @@ pub fn linear_zero([g0, g1]: &[Rational; 2]) -> LinearZero {
 
 /// Where the trilinear function vanishes on the line through the cell along `axis`, at the two other
 /// coordinates `at`, as a share of the line; on the grid's own edges, where eq (22) says (IS-30).
+/// Unless f vanishes all along it, it changes sign there at most once (IS-62).
 ///
 /// # Panics
 /// Iff the axis is none of 0, 1, 2.
 #[doc(alias = "IS-30")]
+#[doc(alias = "IS-62")]
 pub fn zero_on_line(g: &[Rational; 8], axis: usize, at: &[Rational; 2]) -> LinearZero {
     linear_zero(&on_line(g, axis, at))
 }
