@@ -11,6 +11,17 @@
 //! | [`answer`] | the question-and-answer protocol |
 //! | [`judge`] | the harness that judges a candidate |
 //! | [`spec`] | the formulas that are checked, each with its verdict |
+//!
+//! ```
+//! use isoracle::isosurface::cell::{Tie, topology};
+//! use isoracle::number::Rational;
+//!
+//! let values = [-3, 1, 1, 1, 1, 1, 1, -4].map(Rational::from);
+//! let truth = topology(&values, &Rational::new(), Tie::Degenerate)?;
+//! assert_eq!(truth.case.name(), "4.2"); // two corners, joined by a tunnel through the cell
+//! assert_eq!(truth.chi(), 0); // an annulus
+//! # Ok::<(), isoracle::isosurface::cell::Degenerate>(())
+//! ```
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "cli")]
