@@ -270,7 +270,7 @@ fn vertices_off_their_crossings_are_told() {
 
 fn script(python: &str) -> Process {
     let command = ["python3".to_owned(), "-c".to_owned(), python.to_owned()];
-    Process::new(command.into(), Duration::from_millis(700))
+    Process::new(command.into(), Duration::from_millis(2500))
 }
 
 const HELLO: &str = "import sys, json\nfor line in sys.stdin:\n q = json.loads(line)\n if q['op'] == 'hello':\n  print(json.dumps({'id': q['id'], 'out': {'protocol': 1, 'name': 'x', 'version': '0', 'ops': ['isosurface.mesh']}}), flush=True)\n else:\n";
