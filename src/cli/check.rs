@@ -1,9 +1,7 @@
 //! `isoracle check`.
 
-use super::progress;
+use super::{input, progress};
 use clap::{Args, Subcommand};
-use isoracle::answer::value::InvalidField;
-use isoracle::answer::volume;
 use isoracle::format::{self, FormatError};
 use isoracle::isosurface::cell::Tie;
 use isoracle::isosurface::fast;
@@ -14,7 +12,7 @@ use isoracle::judge::place::{CandidateMesh, Tolerance};
 use isoracle::judge::tie::judge_tied;
 use isoracle::judge::verdict::{self, Verdict, mesh_components};
 use isoracle::number::Rational;
-use isoracle::number::text::{self, NumberError};
+use isoracle::number::text;
 use miette::Diagnostic;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -45,7 +43,7 @@ struct Isosurface {
     #[arg(long, value_name = "FILE")]
     volume: PathBuf,
     /// c, exactly: 40, -1/3, 0.1 (one tenth, not the binary64 nearest to it), 0x1.8p-3.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = number)]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = text::parse)]
     isovalue: Rational,
     /// The mesh, in grid coordinates: a .ply, .obj or .stl file.
     #[arg(long, value_name = "FILE")]
@@ -66,21 +64,12 @@ Example:
 
 #[derive(Debug, Error, Diagnostic)]
 enum Failure {
-    #[error("--volume: {0}")]
-    #[diagnostic(help(
-        "a volume is a .npy, .nrrd or .nhdr file of real numbers on three axes, at least 2 samples each"
-    ))]
-    Volume(InvalidField),
     #[error("--mesh: {0}")]
     #[diagnostic(help("a mesh is a .ply, .obj or .stl file"))]
     Mesh(FormatError),
     #[error("--mesh: a face with {0} corners")]
     #[diagnostic(help("an isosurface mesh is made of triangles"))]
     NotTriangles(usize),
-}
-
-fn number(text: &str) -> Result<Rational, NumberError> {
-    text::parse(text)
 }
 
 impl Check {
@@ -94,7 +83,7 @@ impl Isosurface {
     fn run(self) -> miette::Result<ExitCode> {
         let start = Instant::now();
         let spinner = progress::spinner(format!("reading {}", self.volume.display()));
-        let volume = volume::from_file(&self.volume).map_err(Failure::Volume)?;
+        let volume = input::volume(&self.volume)?;
         let record = format::read_mesh(&self.mesh).map_err(Failure::Mesh)?;
         let corners = record.faces.iter().map(Vec::len).find(|&n| n != 3).unwrap_or(3);
         let mesh = from_record(record).map_err(|_| Failure::NotTriangles(corners))?;

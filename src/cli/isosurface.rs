@@ -1,16 +1,14 @@
 //! `isoracle isosurface`.
 
-use super::progress;
+use super::{input, progress};
 use clap::{Args, ValueEnum};
 use isoracle::answer::mesh::record;
-use isoracle::answer::value::InvalidField;
-use isoracle::answer::volume;
 use isoracle::format::{self, FormatError};
 use isoracle::isosurface::cell;
 use isoracle::isosurface::fast::{self, Mismatch};
 use isoracle::isosurface::volume::{DegenerateCell, Level};
 use isoracle::number::Rational;
-use isoracle::number::text::{self, NumberError};
+use isoracle::number::text;
 use miette::Diagnostic;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -27,7 +25,7 @@ pub struct Isosurface {
     #[arg(long, value_name = "FILE")]
     volume: PathBuf,
     /// c, exactly: 40, -1/3, 0.1 (one tenth, not the binary64 nearest to it), 0x1.8p-3.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = number)]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = text::parse)]
     isovalue: Rational,
     /// Where to write the mesh: a .ply, .obj or .stl file. STL has binary32 positions alone.
     #[arg(long, value_name = "FILE", value_parser = mesh_path)]
@@ -52,11 +50,6 @@ enum Tie {
 
 #[derive(Debug, Error, Diagnostic)]
 enum Failure {
-    #[error("--volume: {0}")]
-    #[diagnostic(help(
-        "a volume is a .npy, .nrrd or .nhdr file of real numbers on three axes, at least 2 samples each"
-    ))]
-    Volume(InvalidField),
     #[error("--isovalue: {0}")]
     #[diagnostic(help(
         "the topology of the isosurface is not defined there; `--tie below` takes an isovalue smaller by an infinitesimal"
@@ -73,7 +66,7 @@ enum Failure {
 impl Isosurface {
     pub fn run(self) -> miette::Result<ExitCode> {
         let spinner = progress::spinner(format!("reading {}", self.volume.display()));
-        let volume = volume::from_file(&self.volume).map_err(Failure::Volume)?;
+        let volume = input::volume(&self.volume)?;
         tracing::info!(shape = ?volume.shape(), "read {}", self.volume.display());
         let tie = self.tie.map_or(cell::Tie::Degenerate, |Tie::Below| cell::Tie::Below);
         let level = Level { volume: &volume, isovalue: self.isovalue, tie };
@@ -93,10 +86,6 @@ impl Isosurface {
         eprintln!("{}: {vertices} vertices, {triangles} triangles", self.out.display());
         Ok(ExitCode::SUCCESS)
     }
-}
-
-fn number(text: &str) -> Result<Rational, NumberError> {
-    text::parse(text)
 }
 
 #[derive(Debug, Error)]

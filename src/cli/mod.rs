@@ -7,6 +7,7 @@ mod answer;
 mod candidate;
 mod check;
 mod demo;
+mod input;
 mod isosurface;
 mod judge;
 mod progress;

@@ -1,0 +1,19 @@
+//! What several subcommands read.
+
+use isoracle::answer::value::InvalidField;
+use isoracle::answer::volume;
+use isoracle::isosurface::volume::Volume;
+use miette::Diagnostic;
+use std::path::Path;
+use thiserror::Error;
+
+/// The file after `--volume` cannot be used.
+#[derive(Debug, Error, Diagnostic)]
+#[error("--volume: {0}")]
+#[diagnostic(help("a volume is a .npy, .nrrd or .nhdr file of real numbers on three axes, at least 2 samples each"))]
+pub struct UnusableVolume(InvalidField);
+
+/// The volume after `--volume`.
+pub fn volume(path: &Path) -> Result<Volume, UnusableVolume> {
+    volume::from_file(path).map_err(UnusableVolume)
+}
