@@ -89,7 +89,7 @@ quickcheck::quickcheck! {
     fn the_mesh_has_the_eulers_characteristic_of_the_surface(volume: Volume) -> bool {
         let level = Level { volume: &volume, isovalue: Rational::new(), tie: Tie::Below };
         let mesh = mesh::extract(&level).unwrap();
-        let components = isoracle::mesh::defects::components(mesh.vertices.len(), &mesh.triangles);
+        let components = isoracle::mesh::triangles::components(mesh.vertices.len(), &mesh.triangles);
         components.iter().map(|c| c.chi).sum::<i64>() == whole::topology(&level).unwrap().chi()
     }
 }

@@ -3,7 +3,7 @@
 use super::report::Difference;
 use crate::isosurface::cases::Case;
 use crate::isosurface::volume::GridEdge;
-use crate::mesh::defects::Defect;
+use crate::mesh::triangles::Defect;
 use thiserror::Error;
 
 /// A cell of the grid, by its lowest grid point.

@@ -8,7 +8,7 @@ use crate::isosurface::cube::{Edge, Face};
 use crate::isosurface::fast::{self, Decider};
 use crate::isosurface::topology::SurfaceComponent;
 use crate::isosurface::volume::{DegenerateCell, GridEdge, Level};
-use crate::mesh::defects::{Defect, Triangle, components, defects, edge_uses};
+use crate::mesh::triangles::{Defect, Triangle, components, defects, edge_uses};
 use crate::mesh::weld::weld;
 use crate::partition::Partition;
 use std::collections::{BTreeMap, HashMap};

@@ -4,7 +4,7 @@ use crate::number::Ring;
 use std::ops::{Add, Index, Neg, Sub};
 
 /// A vector of Kᴺ, or a point by its coordinates.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Vector<K, const N: usize>(pub [K; N]);
 
 impl<K: Ring, const N: usize> Vector<K, N> {

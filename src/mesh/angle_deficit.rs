@@ -4,7 +4,7 @@
 //! of the corner, ⟨p,q⟩ + |p×q| i, and |p×q| = √N is twice the triangle's area at all three corners. Angles add as these
 //! numbers multiply, so what angles sum up to is decided by exact products.
 
-use super::defects::{EdgeKey, Triangle, edge_uses, sides};
+use super::triangles::{EdgeKey, Triangle, edge_uses, sides};
 use crate::linear::Vector;
 use crate::number::{Interval, Rational, Ring, Sign};
 use std::collections::BTreeSet;

@@ -1,6 +1,6 @@
 //! Triangle soups: giving one number to vertices at one position.
 
-use super::defects::Triangle;
+use super::triangles::Triangle;
 use std::collections::HashMap;
 use std::hash::Hash;
 

@@ -15,6 +15,7 @@ use thiserror::Error;
 pub const CHAPTERS: &[(&str, &str)] = &[
     ("numbers.md", include_str!("../../spec/numbers.md")),
     ("isosurface.md", include_str!("../../spec/isosurface.md")),
+    ("mesh.md", include_str!("../../spec/mesh.md")),
 ];
 
 /// What checking a formula has shown.

@@ -10,7 +10,7 @@ use isoracle::isosurface::subdivision::topology as subdivide;
 use isoracle::isosurface::topology::{GridTopology, topology};
 use isoracle::isosurface::volume::{Level, Volume};
 use isoracle::isosurface::{fast, mesh, table};
-use isoracle::mesh::defects::{boundary_edges, components, defects};
+use isoracle::mesh::triangles::{boundary_edges, components, defects};
 use isoracle::number::{Rational, Sign};
 use isoracle::partition::Partition;
 use proptest::prelude::*;

@@ -6,7 +6,7 @@ use isoracle::isosurface::cell::{Decisions, Obstacle, Topology, assemble, decide
 use isoracle::isosurface::classes::{classes, tunnels};
 use isoracle::isosurface::cube::{Corner, Edge, Face};
 use isoracle::isosurface::patch::{Patch, PatchVertex, patch, share_a_face};
-use isoracle::mesh::defects::{Triangle, defects};
+use isoracle::mesh::triangles::{Triangle, defects};
 use proptest::prelude::*;
 use rayon::prelude::*;
 use std::collections::{BTreeSet, HashMap};

@@ -1,6 +1,6 @@
 //! IS-9 … IS-15: curves and surfaces as simplicial complexes.
 
-use isoracle::mesh::defects::{Defect, defects};
+use isoracle::mesh::triangles::{Defect, defects};
 use isoracle::mesh::simplicial::{CurveDefect, Simplex, SimplicialComplex, SurfaceDefect};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};

@@ -5,7 +5,7 @@ use isoracle::isosurface::cube::Corner;
 use isoracle::isosurface::tetrahedra::{Decomposition, TetrahedraMesh, TetrahedronCase, case, extract};
 use isoracle::isosurface::volume::{Level, Volume};
 use isoracle::linear::Vector;
-use isoracle::mesh::defects::components;
+use isoracle::mesh::triangles::components;
 use isoracle::number::Rational;
 use proptest::prelude::*;
 use std::collections::BTreeSet;

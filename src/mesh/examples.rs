@@ -1,0 +1,32 @@
+//! Meshes to try things on.
+
+use super::face::Face;
+use super::vertex_list::{Point, VertexList};
+use crate::linear::Vector;
+use crate::number::Rational;
+
+/// A point with integer coordinates.
+pub fn point(at: [i64; 3]) -> Point {
+    Vector(at.map(Rational::from))
+}
+
+/// The mesh with integer coordinates and faces without holes.
+pub fn mesh<V: AsRef<[u32]>>(vertices: &[[i64; 3]], faces: &[V]) -> VertexList {
+    VertexList {
+        vertices: vertices.iter().copied().map(point).collect(),
+        faces: faces.iter().map(|loop_| Face::new(loop_.as_ref())).collect(),
+    }
+}
+
+/// The cube [0, 1]³: 8 vertices, 12 edges, 6 squares, counterclockwise from outside.
+pub fn cube() -> VertexList {
+    mesh(
+        &[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]],
+        &[[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
+    )
+}
+
+/// A tetrahedron: 4 vertices, 6 edges, 4 triangles, counterclockwise from outside.
+pub fn tetrahedron() -> VertexList {
+    mesh(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+}

@@ -1,0 +1,3 @@
+//! Polygon meshes: each entry of spec/mesh.md against a second derivation.
+
+mod examples;
