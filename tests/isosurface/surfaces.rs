@@ -1,7 +1,7 @@
 //! IS-9 … IS-15: curves and surfaces as simplicial complexes.
 
-use isoracle::mesh::triangles::{Defect, defects};
 use isoracle::mesh::simplicial::{CurveDefect, Simplex, SimplicialComplex, SurfaceDefect};
+use isoracle::mesh::triangles::{Defect, defects};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
