@@ -5,21 +5,24 @@
 use isoracle::isosurface::cases::Case;
 use isoracle::isosurface::cell::Tie;
 use isoracle::isosurface::volume::{Level, Volume};
-use isoracle::judge::builtin::Builtin;
 use isoracle::judge::candidate::{Breakdown, Candidate, Process, Reply};
-use isoracle::judge::fault::Fault;
-use isoracle::judge::place::{CandidateMesh, Positions, Tolerance};
+use isoracle::judge::isosurface::Isosurface;
+use isoracle::judge::isosurface::builtin::Builtin;
+use isoracle::judge::isosurface::candidate_mesh::{CandidateMesh, Positions};
+use isoracle::judge::isosurface::fault::Fault;
+use isoracle::judge::isosurface::place::Tolerance;
+use isoracle::judge::isosurface::questions::{Question, Row, questions};
+use isoracle::judge::isosurface::tie::judge_tied;
+use isoracle::judge::isosurface::verdict::{judge, welded};
 use isoracle::judge::report::{Outcome, Report};
-use isoracle::judge::run::{Judgement, Settings, ask, run};
-use isoracle::judge::suite::{Question, Row, questions};
-use isoracle::judge::tie::judge_tied;
-use isoracle::judge::verdict::{judge, welded};
+use isoracle::judge::run::run;
+use isoracle::judge::suite::{Judgement, Suite};
 use isoracle::number::Rational;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
 
-const SETTINGS: Settings = Settings { seed: 7, cases: 40, tolerance: Tolerance(64.0) };
+const SUITE: Isosurface = Isosurface { seed: 7, cases: 40, tolerance: Tolerance(64.0) };
 
 /// A candidate in this process.
 struct InProcess {
@@ -50,7 +53,7 @@ fn builtin(builtin: Builtin) -> InProcess {
     let answer = move |op: &str, input: &Value| {
         let line = json!({"id": 1, "op": op, "in": input}).to_string() + "\n";
         let mut out = Vec::new();
-        isoracle::judge::builtin::serve(builtin, line.as_bytes(), &mut out).unwrap();
+        isoracle::judge::isosurface::builtin::serve(builtin, line.as_bytes(), &mut out).unwrap();
         let mut message: Value = serde_json::from_slice(&out).unwrap();
         Reply::Out(message["out"].take())
     };
@@ -58,7 +61,7 @@ fn builtin(builtin: Builtin) -> InProcess {
 }
 
 fn judged(which: Builtin) -> Report {
-    run(&mut builtin(which), &SETTINGS, |_, _| {}).unwrap()
+    run(&mut builtin(which), &SUITE, |_, _| {}).unwrap()
 }
 
 fn failing_cases(report: &Report) -> Vec<&str> {
@@ -71,7 +74,7 @@ fn faults(report: &Report) -> BTreeSet<&str> {
 
 #[test]
 fn the_oracle_passes_everything() {
-    let report = run(&mut oracle(), &SETTINGS, |_, _| {}).unwrap();
+    let report = run(&mut oracle(), &SUITE, |_, _| {}).unwrap();
     assert_eq!(report.verdict, Outcome::Passed, "{:?}", faults(&report));
     assert!(report.rows().all(|row| row.asked > 0 && row.passed == row.asked));
     assert!(report.failures.is_empty());
@@ -151,15 +154,16 @@ fn an_edge_in_a_face_shows_in_single_cells_and_breaks_pairs() {
 fn the_smallest_failing_cells_have_small_integers_and_fail_again() {
     let report = judged(Builtin::WrongInteriorRule);
     for failure in report.failures.iter().filter(|failure| failure.row.contains('.')) {
-        assert_eq!(failure.question.shape, [2, 2, 2]);
-        let values: Vec<i64> = failure.question.values.iter().map(|v| v.parse().unwrap()).collect();
+        let question = failure.question.volume().unwrap();
+        assert_eq!(question.shape, [2, 2, 2]);
+        let values: Vec<i64> = question.values.iter().map(|v| v.parse().unwrap()).collect();
         assert!(values.iter().all(|v| v.abs() <= 4), "{values:?}");
         assert!(!failure.differences.is_empty() && failure.expected.is_some() && failure.found.is_some());
         let case = Case::ALL.iter().copied().find(|case| case.name() == failure.row).unwrap();
         let volume = Volume::rationals([2; 3], values.into_iter().map(Rational::from).collect()).unwrap();
         let question = Question { row: Row::Cell(case), volume, isovalue: Rational::new() };
-        match ask(&mut builtin(Builtin::WrongInteriorRule), &question, Tolerance::default()) {
-            Judgement::Wrong { faults, .. } => assert_eq!(faults[0].name(), failure.fault),
+        match SUITE.ask(&mut builtin(Builtin::WrongInteriorRule), &question) {
+            Judgement::Wrong { fault, .. } => assert_eq!(fault, failure.fault),
             other => panic!("{other:?}"),
         }
     }
@@ -290,7 +294,7 @@ fn what_hangs_dies_or_prints_garbage_costs_the_question_alone() {
         let mut candidate = script(&format!("{HELLO}{way}\n"));
         for _ in 0..2 {
             let start = Instant::now();
-            match ask(&mut candidate, &question, Tolerance::default()) {
+            match SUITE.ask(&mut candidate, &question) {
                 Judgement::Broken(breakdown) => assert!(is_expected(&breakdown), "{way}: {breakdown}"),
                 other => panic!("{way}: {other:?}"),
             }
@@ -304,9 +308,9 @@ fn what_hangs_dies_or_prints_garbage_costs_the_question_alone() {
 #[test]
 fn a_candidate_that_cannot_be_started_or_says_no_hello_ends_the_run() {
     let mut missing = Process::new(vec!["/no/such/program".into()], Duration::from_secs(1));
-    assert!(matches!(run(&mut missing, &SETTINGS, |_, _| {}), Err(Breakdown::NotStarted(_))));
+    assert!(matches!(run(&mut missing, &SUITE, |_, _| {}), Err(Breakdown::NotStarted(_))));
     let mut silent = script("import time; time.sleep(60)");
-    assert!(matches!(run(&mut silent, &SETTINGS, |_, _| {}), Err(Breakdown::Hung(_))));
+    assert!(matches!(run(&mut silent, &SUITE, |_, _| {}), Err(Breakdown::Hung(_))));
 }
 
 #[test]
@@ -315,7 +319,7 @@ fn an_error_for_a_question_with_an_answer_is_wrong_and_a_refusal_is_not() {
     let question = Question { row: Row::Cell(Case::C1), volume, isovalue: Rational::new() };
     let says = |reply: Reply| InProcess { answer: Box::new(move |_, _| reply.clone()) };
     let error = |kind: &str| Reply::Error { kind: kind.into(), message: "no".into() };
-    let asked = |reply| ask(&mut says(reply), &question, Tolerance::default());
+    let asked = |reply| SUITE.ask(&mut says(reply), &question);
     assert!(matches!(asked(error("invalid-input")), Judgement::Wrong { .. }));
     assert!(matches!(asked(error("degenerate")), Judgement::Wrong { .. }));
     assert!(matches!(asked(error("limit")), Judgement::Unsupported(_)));

@@ -6,7 +6,7 @@ mod sample;
 use isoracle::isosurface::cases::Case;
 use isoracle::judge::html::{Block, Section, page};
 use isoracle::judge::junit::junit;
-use isoracle::judge::report::{Outcome, QuestionRecord, Report, SurfaceRecord, json};
+use isoracle::judge::report::{Outcome, QuestionRecord, Report, SurfaceRecord, VolumeQuestion, json};
 use isoracle::judge::svg::{case_icon, surface_picture, volume_picture};
 use isoracle::judge::text::text;
 
@@ -53,7 +53,9 @@ fn hostile() -> Report {
         failure.fault += poison;
         failure.messages.push(poison.to_owned());
         failure.command += poison;
-        failure.question.values[0] = poison.to_owned();
+        if let QuestionRecord::Volume(question) = &mut failure.question {
+            question.values[0] = poison.to_owned();
+        }
         for difference in &mut failure.differences {
             difference.found = poison.to_owned();
         }
@@ -76,16 +78,20 @@ fn the_junit_report_is_this() {
     });
 }
 
+fn volume(failure: &isoracle::judge::report::Failure) -> &VolumeQuestion {
+    failure.question.volume().expect("the sample is about volumes")
+}
+
 #[test]
 fn pictures_are_these() {
     snapshots(|| {
         let tunnel = sample::missed_tunnel();
         insta::assert_snapshot!(
             "picture_true",
-            volume_picture(&tunnel.question, tunnel.expected.as_ref(), "True surface")
+            volume_picture(volume(&tunnel), tunnel.expected.as_ref(), "True surface")
         );
         let crack = sample::crack();
-        insta::assert_snapshot!("picture_crack", volume_picture(&crack.question, crack.found.as_ref(), "Candidate"));
+        insta::assert_snapshot!("picture_crack", volume_picture(volume(&crack), crack.found.as_ref(), "Candidate"));
         insta::assert_snapshot!("icon_13_5_2", case_icon(Case::C13_5_2));
     });
 }
@@ -225,7 +231,7 @@ fn a_nearer_triangle_is_drawn_later() {
 fn questions_that_are_no_volumes_are_still_drawn() {
     for (shape, values) in [([0, 0, 0], 0), ([2, 2, 2], 3), ([1, 1, 1], 8), ([2, 2, 2], 40), ([50, 50, 50], 125_000)] {
         let values = (0..values).map(|i| if i == 1 { "?".to_owned() } else { i.to_string() }).collect();
-        let question = QuestionRecord { op: "isosurface.mesh".to_owned(), shape, values, isovalue: "1/0".to_owned() };
+        let question = VolumeQuestion { op: "isosurface.mesh".to_owned(), shape, values, isovalue: "1/0".to_owned() };
         elements(volume_picture(&question, None, "t").as_str());
     }
 }

@@ -112,6 +112,19 @@ pub enum Kind {
     Internal,
 }
 
+impl Kind {
+    /// As it stands in a message.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Kind::Malformed => "malformed",
+            Kind::InvalidInput => "invalid-input",
+            Kind::Degenerate => "degenerate",
+            Kind::Limit => "limit",
+            Kind::Internal => "internal",
+        }
+    }
+}
+
 impl Refusal {
     /// The kind of the error, or `None` where the question is not supported, which is no error.
     pub fn kind(&self) -> Option<Kind> {
@@ -155,6 +168,11 @@ impl Out {
     /// The line that says so, without its newline.
     pub fn line(&self, id: &Value) -> String {
         format!("{{\"id\":{id},\"out\":{}}}", self.0)
+    }
+
+    /// The answer as a candidate's would be read.
+    pub fn value(&self) -> Value {
+        serde_json::from_str(&self.0).expect("an answer is JSON")
     }
 }
 

@@ -1,7 +1,7 @@
 //! `isoracle candidate`.
 
 use clap::Args;
-use isoracle::judge::builtin::{self, Builtin};
+use isoracle::judge::isosurface::builtin::{self, Builtin};
 use miette::IntoDiagnostic;
 use std::io;
 use std::process::ExitCode;

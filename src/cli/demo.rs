@@ -9,14 +9,16 @@ use isoracle::isosurface::cell::Tie;
 use isoracle::isosurface::fast;
 use isoracle::isosurface::topology::GridTopology;
 use isoracle::isosurface::volume::{Level, Volume};
-use isoracle::judge::builtin::Builtin;
-use isoracle::judge::candidate::{Process, from_record};
+use isoracle::judge::candidate::Process;
 use isoracle::judge::html::{Block, Section};
-use isoracle::judge::place::{CandidateMesh, Positions, Tolerance};
+use isoracle::judge::isosurface::Isosurface;
+use isoracle::judge::isosurface::builtin::Builtin;
+use isoracle::judge::isosurface::candidate_mesh::{CandidateMesh, Positions, from_record};
+use isoracle::judge::isosurface::place::Tolerance;
+use isoracle::judge::isosurface::verdict::{self, Verdict, mesh_components};
 use isoracle::judge::report::Report;
-use isoracle::judge::run::{self, Settings};
+use isoracle::judge::run;
 use isoracle::judge::svg::surface_picture;
-use isoracle::judge::verdict::{self, Verdict, mesh_components};
 use isoracle::number::Rational;
 use miette::IntoDiagnostic;
 use std::path::{Path, PathBuf};
@@ -56,9 +58,9 @@ fn judge_classic() -> miette::Result<Report> {
     let own = std::env::current_exe().into_diagnostic()?;
     let command = [own.display().to_string(), "candidate".into(), "classic".into()];
     let mut candidate = Process::new(command.into(), Duration::from_secs(10));
-    let settings = Settings { seed: 1, cases: 100, tolerance: Tolerance::default() };
+    let suite = Isosurface { seed: 1, cases: 100, tolerance: Tolerance::default() };
     let bar = progress::bar("judging the table of 1987");
-    let report = run::run(&mut candidate, &settings, |done, of| {
+    let report = run::run(&mut candidate, &suite, |done, of| {
         bar.set_length(of as u64);
         bar.set_position(done as u64);
     });

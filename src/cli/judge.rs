@@ -3,15 +3,15 @@
 use super::progress;
 use clap::{Args, ValueEnum};
 use isoracle::answer::value::{self, InvalidField};
-use isoracle::answer::volume;
-use isoracle::isosurface::cell::Tie;
 use isoracle::judge::candidate::{Breakdown, Process};
 use isoracle::judge::html::{Section, page};
+use isoracle::judge::isosurface::Isosurface;
+use isoracle::judge::isosurface::place::Tolerance;
 use isoracle::judge::junit::junit;
-use isoracle::judge::place::Tolerance;
+use isoracle::judge::mesh::Mesh;
 use isoracle::judge::report::{Outcome, Report, json};
-use isoracle::judge::run::{self, Judgement, Settings};
-use isoracle::judge::suite::{Question, Row};
+use isoracle::judge::run;
+use isoracle::judge::suite::{self, Judgement};
 use isoracle::judge::text::text;
 use miette::{Diagnostic, IntoDiagnostic};
 use std::io::{self, IsTerminal};
@@ -20,7 +20,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 use thiserror::Error;
 
-/// Judge an implementation: ask it the suite over the protocol, and compare its meshes with the exact truth.
+/// Judge an implementation: ask it a suite over the protocol, and compare its answers with the exact truth.
 ///
 /// The candidate is one long-lived process that reads a line of JSON a question and writes one an answer. If it
 /// hangs, dies or writes garbage, that costs the question, and it is started anew.
@@ -33,20 +33,23 @@ pub struct Judge {
     /// The seed of the random questions; the same seed asks the same ones.
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// How many pairs, grids, near-degenerate questions and ties to ask, each.
+    /// How many random questions to ask of each group: pairs, grids, near-degenerate ones, ties; of each kind of defect, a
+    /// tenth as many.
     #[arg(long, value_name = "N", default_value_t = 200)]
     cases: usize,
     /// Seconds that an answer may take.
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = seconds)]
     limit: f64,
-    /// How far a vertex may be from the true crossing, in units in the last place of binary32.
+    /// How far a vertex may be from the true crossing, or another real number from the true one, in units in the last place
+    /// of binary32.
     #[arg(long, value_name = "ULP", default_value_t = Tolerance::default().0)]
     max_ulp: f64,
     /// Where to write report.json, report.html and report.xml (JUnit); nothing is written without it but
     /// report.json in the working folder.
     #[arg(long, value_name = "FOLDER")]
     report: Option<PathBuf>,
-    /// Ask this one question instead of the suite: the `in` of an isosurface.mesh question, as a report quotes it.
+    /// Ask this one question instead of the suite, as a report quotes it: the `in` of an isosurface.mesh question, or
+    /// {"op":…,"in":…} of the suite mesh.
     #[arg(long, value_name = "JSON")]
     question: Option<String>,
     /// The candidate: a program and its arguments.
@@ -66,6 +69,8 @@ Examples:
 enum Suite {
     /// Marching cubes: single cells, pairs, grids, near-degenerate ones, ties.
     Isosurface,
+    /// Polygon meshes: what is wrong with them, their planes, their angle deficits.
+    Mesh,
 }
 
 #[derive(Debug, Error, Diagnostic)]
@@ -81,7 +86,7 @@ pub enum Failure {
     ))]
     Question(InvalidField),
     #[error("--question: {0}")]
-    #[diagnostic(help("the question is the `in` of an isosurface.mesh question, in one argument"))]
+    #[diagnostic(help("the question is one JSON object, in one argument"))]
     QuestionText(serde_json::Error),
 }
 
@@ -90,14 +95,20 @@ const BROKEN: u8 = 3;
 
 impl Judge {
     pub fn run(self) -> miette::Result<ExitCode> {
-        let Suite::Isosurface = self.suite;
+        let tolerance = Tolerance(self.max_ulp);
+        match self.suite {
+            Suite::Isosurface => self.run_suite(&Isosurface { seed: self.seed, cases: self.cases, tolerance }),
+            Suite::Mesh => self.run_suite(&Mesh { seed: self.seed, cases: self.cases.div_ceil(10), tolerance }),
+        }
+    }
+
+    fn run_suite(&self, suite: &impl suite::Suite) -> miette::Result<ExitCode> {
         let mut candidate = Process::new(self.command.clone(), Duration::from_secs_f64(self.limit));
-        let settings = Settings { seed: self.seed, cases: self.cases, tolerance: Tolerance(self.max_ulp) };
         if let Some(text) = &self.question {
-            return ask_one(&mut candidate, text, settings.tolerance);
+            return ask_one(suite, &mut candidate, text);
         }
         let bar = progress::bar("judging");
-        let report = run::run(&mut candidate, &settings, |done, of| {
+        let report = run::run(&mut candidate, suite, |done, of| {
             bar.set_length(of as u64);
             bar.set_position(done as u64);
         });
@@ -132,38 +143,33 @@ pub fn write_report(report: &Report, folder: &Path, extra: &[Section]) -> miette
 }
 
 /// Asks a question that a report quotes, and says what is wrong with the answer.
-fn ask_one(candidate: &mut Process, text: &str, tolerance: Tolerance) -> miette::Result<ExitCode> {
+fn ask_one(suite: &impl suite::Suite, candidate: &mut Process, text: &str) -> miette::Result<ExitCode> {
     let object: value::Object = serde_json::from_str(text).map_err(Failure::QuestionText)?;
-    let read = || -> Result<Question, InvalidField> {
-        let volume = value::field(&object, "volume", volume::read)?;
-        let isovalue = value::field(&object, "isovalue", value::number)?;
-        Ok(Question { row: Row::Ties, volume, isovalue })
-    };
-    let mut question = read().map_err(Failure::Question)?;
-    let level = question.level(Tie::Degenerate);
-    let is_tied = question.volume.cells().any(|cell| level.decisions(cell).is_err());
-    if !is_tied {
-        question.row = Row::Grids;
-    }
-    Ok(match run::ask(candidate, &question, tolerance) {
-        Judgement::Right(_) => {
+    let question = suite.parse(&object).map_err(Failure::Question)?;
+    Ok(match suite.ask(candidate, &question) {
+        Judgement::Right { left_out, .. } if left_out.is_empty() => {
             println!("right");
+            ExitCode::SUCCESS
+        }
+        Judgement::Right { left_out, .. } => {
+            println!("right, but for what it leaves out: {}", left_out.join(", "));
             ExitCode::SUCCESS
         }
         Judgement::Unsupported(why) => {
             println!("not supported: {why}");
             ExitCode::SUCCESS
         }
-        Judgement::Wrong { faults, .. } => {
-            println!("wrong:");
-            for fault in faults {
-                println!("  {} [{}]: {fault}", fault.name(), fault.formula());
-                if let Some(difference) = fault.difference() {
-                    println!(
-                        "    {}\n      expected {}\n      found    {}",
-                        difference.invariant, difference.expected, difference.found
-                    );
-                }
+        Judgement::Wrong { fault, evidence, .. } => {
+            let failure = suite.failure(&question, Some(evidence));
+            println!("wrong: {fault} [{}]", failure.formula);
+            for message in &failure.messages {
+                println!("  {message}");
+            }
+            for difference in &failure.differences {
+                println!(
+                    "    {}\n      expected {}\n      found    {}",
+                    difference.invariant, difference.expected, difference.found
+                );
             }
             ExitCode::from(WRONG)
         }

@@ -1,8 +1,6 @@
 //! A candidate: somebody's implementation, asked over the protocol.
 
-use super::place::{CandidateMesh, Positions};
-use crate::answer::value::{self, InvalidField, Object, Step};
-use crate::number::Rational;
+use crate::answer::value::Object;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Child, ChildStdin, Command, Stdio};
@@ -182,47 +180,4 @@ fn parse_reply(line: &[u8], id: u64) -> Result<Reply, Breakdown> {
     let error = message.get("error").and_then(Value::as_object).ok_or_else(nonsense)?;
     let text = |name: &str| error.get(name).and_then(Value::as_str).unwrap_or_default().to_owned();
     Ok(Reply::Error { kind: text("kind"), message: text("message") })
-}
-
-/// A mesh as a candidate says it: `{"vertices":[[x,y,z],…],"faces":[[0,1,2],…]}`, or `{"file":"m.ply"}`.
-pub fn mesh(out: &Value) -> Result<CandidateMesh, InvalidField> {
-    let object = value::object(out)?;
-    if let Some(path) = value::optional(object, "file", |file| value::string(file).map(str::to_owned))? {
-        let record = crate::format::read_mesh(std::path::Path::new(&path))
-            .map_err(|error| InvalidField::here(value::Problem::File(Box::new(error))).within(Step::Field("file")))?;
-        return from_record(record).map_err(|problem| InvalidField::here(problem).within(Step::Field("file")));
-    }
-    let positions = value::field(object, "vertices", |list| value::items(list, |v| value::exactly(v, coordinate)))?;
-    let triangles = value::field(object, "faces", |list| value::items(list, |face| value::exactly(face, index)))?;
-    Ok(CandidateMesh { positions: Positions::Exact(positions), triangles })
-}
-
-/// A mesh from a file.
-///
-/// # Errors
-/// A face that is no triangle.
-pub fn from_record(record: crate::format::MeshRecord) -> Result<CandidateMesh, value::Problem> {
-    let triangle = |face: &Vec<u32>| <[u32; 3]>::try_from(face.as_slice());
-    let triangles = record.faces.iter().map(triangle).collect::<Result<_, _>>();
-    let longest = record.faces.iter().map(Vec::len).find(|&n| n != 3).unwrap_or(3);
-    let triangles = triangles.map_err(|_| value::Problem::Length { expected: 3, found: longest })?;
-    Ok(CandidateMesh { positions: Positions::Floats(record.vertices), triangles })
-}
-
-/// A coordinate: a number, or the middle of an enclosure.
-fn coordinate(value: &Value) -> Result<Rational, InvalidField> {
-    match value.as_object() {
-        Some(enclosure) => {
-            let lo = value::field(enclosure, "lo", value::number)?;
-            let hi = value::field(enclosure, "hi", value::number)?;
-            Ok((lo + hi) / 2)
-        }
-        None => value::number(value),
-    }
-}
-
-/// A vertex number. One that cannot be one names no vertex, which the verdict will tell.
-fn index(value: &Value) -> Result<u32, InvalidField> {
-    let number = value::number(value)?;
-    Ok(if number.is_integer() { number.numer().to_u32().unwrap_or(u32::MAX) } else { u32::MAX })
 }

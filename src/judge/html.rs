@@ -1,6 +1,6 @@
 //! The run as one HTML page that needs nothing else: no script, no other file, no network.
 
-use super::report::{Failure, Outcome, Report, Row, Seconds, SurfaceRecord, grouped};
+use super::report::{Failure, Outcome, QuestionRecord, Report, Row, Seconds, SurfaceRecord, VolumeQuestion, grouped};
 use super::svg::{self, Picture};
 use super::text::ulp;
 use crate::isosurface::cases::Case;
@@ -145,12 +145,20 @@ fn row_class(row: &Row) -> &'static str {
     }
 }
 
+fn is_about_volumes(report: &Report) -> bool {
+    report.suite == "isosurface"
+}
+
 fn cases(report: &Report) -> Markup {
     let declined = report.cases.iter().any(|row| row.unsupported > 0);
     html! {
         section aria-labelledby="cases" {
             h2 #cases { "The " (report.cases.len()) " cases" }
-            p.note { "Single cells, by Chernyaev’s names. A filled corner is above the isovalue. A name in bold leads to its smallest failure." }
+            p.note {
+                @if is_about_volumes(report) { "Single cells, by Chernyaev’s names. A filled corner is above the isovalue." }
+                @else { "Meshes that are sound, or have the defect that the row is named for, perhaps among others." }
+                " A name in bold leads to its smallest failure."
+            }
             div.columns {
                 @for rows in report.cases.chunks(report.cases.len().div_ceil(3).max(1)) {
                     table.cases {
@@ -231,12 +239,12 @@ fn failures(report: &Report) -> Markup {
         @if !report.failures.is_empty() {
             section aria-labelledby="failures" {
                 h2 #failures { "Failures" }
-                p.note {
+                @if is_about_volumes(report) { p.note {
                     "Corners are numbered as in the question: filled above the isovalue, hollow below. The surface is blue on the side "
                     "toward larger values, ochre and hatched on the other. Bold lines lie on the faces of cells; on an ambiguous "
                     "face, a dotted line joins the corners that the bilinear function joins. An edge that ends the surface "
                     "inside the grid, or has more than two triangles, is red and dashed."
-                }
+                } }
                 @for (i, failure) in report.failures.iter().enumerate() { (failure_card(i + 1, failure)) }
             }
         }
@@ -253,9 +261,17 @@ fn failure_card(number: usize, failure: &Failure) -> Markup {
                 span.where { " in " (failure.row) (place) } " " span.formula { (failure.formula) }
             }
             @for message in &failure.messages { p.message { (message) } }
-            div.pair {
-                (figure(failure, failure.expected.as_ref(), &title("True surface"), "The true surface", "too large to draw"))
-                (figure(failure, failure.found.as_ref(), &title("Candidate’s surface"), "The candidate’s", "it gave no mesh"))
+            @match &failure.question {
+                QuestionRecord::Volume(question) => { div.pair {
+                    (figure(question, failure.expected.as_ref(), &title("True surface"), "The true surface", "too large to draw"))
+                    (figure(question, failure.found.as_ref(), &title("Candidate’s surface"), "The candidate’s", "it gave no mesh"))
+                } }
+                QuestionRecord::Other { .. } => { @if let Some(mesh) = &failure.expected {
+                    div.pair { figure {
+                        (picture(&svg::surface_picture(&mesh.vertices, &mesh.faces, 320)))
+                        figcaption { "The mesh of the question" }
+                    } }
+                } }
             }
             @if !failure.differences.is_empty() {
                 div.scroll { table.differences {
@@ -275,10 +291,16 @@ fn failure_card(number: usize, failure: &Failure) -> Markup {
 }
 
 /// The volume with a surface, or without one where there is none.
-fn figure(failure: &Failure, surface: Option<&SurfaceRecord>, title: &str, caption: &str, absent: &str) -> Markup {
+fn figure(
+    question: &VolumeQuestion,
+    surface: Option<&SurfaceRecord>,
+    title: &str,
+    caption: &str,
+    absent: &str,
+) -> Markup {
     html! {
         figure {
-            (picture(&svg::volume_picture(&failure.question, surface, title)))
+            (picture(&svg::volume_picture(question, surface, title)))
             figcaption { (caption) @if surface.is_none() { " – " (absent) } }
         }
     }
@@ -330,8 +352,10 @@ fn footer(report: &Report) -> Markup {
     html! {
         footer {
             dl {
-                div { dt { "Largest position error on a grid edge" }
-                    dd { (ulp(error.binary64_ulp)) " ulp of binary64, " (ulp(error.binary32_ulp)) " ulp of binary32" } }
+                @if is_about_volumes(report) { div { dt { "Largest position error on a grid edge" }
+                    dd { (ulp(error.binary64_ulp)) " ulp of binary64, " (ulp(error.binary32_ulp)) " ulp of binary32" } } }
+                @if !report.left_out.is_empty() { div { dt { "Not judged" }
+                    dd { "Right answers left out " (report.left_out.join(", ")) } } }
                 div { dt { "Time" }
                     dd { (format!("{candidate:.2} s for the candidate, {oracle:.2} s for the oracle’s plain answers, {total:.2} s in all")) } }
                 div { dt { "Seed" } dd { (report.seed) " – the same seed asks the same questions" } }

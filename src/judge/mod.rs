@@ -1,16 +1,13 @@
 //! The harness that judges a candidate against the oracle.
 
-pub mod builtin;
 pub mod candidate;
-pub mod fault;
 pub mod html;
+pub mod isosurface;
 pub mod junit;
-pub mod place;
+pub mod mesh;
 pub mod report;
 pub mod run;
 mod shrink;
 pub mod suite;
 pub mod svg;
 pub mod text;
-pub mod tie;
-pub mod verdict;

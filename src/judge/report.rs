@@ -9,18 +9,20 @@ pub struct Report {
     pub report: u32,
     /// What the candidate said of itself, and how it was started.
     pub candidate: CandidateInfo,
-    /// The suite: "isosurface".
+    /// The suite: "isosurface" or "mesh".
     pub suite: String,
     /// The seed of the random questions; the same seed asks the same questions.
     pub seed: u64,
     /// The verdict in one word.
     pub verdict: Outcome,
-    /// The 33 cases, in Chernyaev's order: single cells.
+    /// The suite's cases: of isosurfaces the 33 of single cells, in Chernyaev's order; of meshes the kinds of defects.
     pub cases: Vec<Row>,
-    /// The other groups: pairs, grids, near-degenerate, ties.
+    /// The other groups: of isosurfaces pairs, grids, near-degenerate, ties.
     pub groups: Vec<Row>,
     /// For each way of failing in each row, the smallest question found.
     pub failures: Vec<Failure>,
+    /// What right answers left unsaid.
+    pub left_out: Vec<String>,
     /// The largest position error on a grid edge, in units in the last place of binary64 and of binary32.
     pub position_error: PositionError,
     /// Seconds that the candidate took for its answers, and the oracle for its own.
@@ -96,7 +98,23 @@ pub struct Failure {
 
 /// A question, as it was asked.
 #[derive(Clone, Debug, Serialize)]
-pub struct QuestionRecord {
+#[serde(untagged)]
+pub enum QuestionRecord {
+    /// About a level of a volume.
+    Volume(VolumeQuestion),
+    /// About anything else.
+    Other {
+        /// The operation: "mesh.check".
+        op: String,
+        /// Its `in`.
+        #[serde(rename = "in")]
+        input: serde_json::Value,
+    },
+}
+
+/// A question about a level of a volume.
+#[derive(Clone, Debug, Serialize)]
+pub struct VolumeQuestion {
     /// The operation: "isosurface.mesh".
     pub op: String,
     /// The volume's shape.
@@ -225,10 +243,31 @@ impl Report {
 }
 
 impl QuestionRecord {
-    /// The question in the protocol's form, as one line: `{"op":…,"in":{"volume":…,"isovalue":…}}`.
+    /// The question about a volume, if it is one.
+    pub fn volume(&self) -> Option<&VolumeQuestion> {
+        match self {
+            QuestionRecord::Volume(question) => Some(question),
+            QuestionRecord::Other { .. } => None,
+        }
+    }
+
+    /// The question in the protocol's form, as one line: `{"op":…,"in":…}`.
     pub fn json(&self) -> String {
-        let volume = serde_json::json!({"shape": self.shape, "values": self.values});
-        serde_json::json!({"op": self.op, "in": {"volume": volume, "isovalue": self.isovalue}}).to_string()
+        match self {
+            QuestionRecord::Volume(VolumeQuestion { op, shape, values, isovalue }) => {
+                let volume = serde_json::json!({"shape": shape, "values": values});
+                serde_json::json!({"op": op, "in": {"volume": volume, "isovalue": isovalue}}).to_string()
+            }
+            QuestionRecord::Other { op, input } => serde_json::json!({"op": op, "in": input}).to_string(),
+        }
+    }
+}
+
+impl PositionError {
+    /// The larger of two errors, in either unit.
+    pub fn widen(&mut self, more: PositionError) {
+        self.binary64_ulp = self.binary64_ulp.max(more.binary64_ulp);
+        self.binary32_ulp = self.binary32_ulp.max(more.binary32_ulp);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The report for a terminal, 80 columns wide.
 
-use super::report::{Failure, Outcome, Report, Row, grouped};
+use super::report::{Failure, Outcome, QuestionRecord, Report, Row, grouped};
 
 /// The most failures that are shown.
 const MOST_FAILURES: usize = 10;
@@ -29,11 +29,18 @@ pub fn text(report: &Report, colour: bool) -> String {
     if let Some(more @ 1..) = report.failures.len().checked_sub(MOST_FAILURES) {
         out += &format!("\n{more} more ways of failing are in the other forms of this report.\n");
     }
-    out += &format!(
-        "\nLargest position error on an edge: {} ulp of binary64, {} ulp of binary32.\n",
-        ulp(report.position_error.binary64_ulp),
-        ulp(report.position_error.binary32_ulp)
-    );
+    out += "\n";
+    if !report.left_out.is_empty() {
+        let left_out = format!("Not judged, since right answers left it out: {}.", report.left_out.join(", "));
+        out += &(wrapped(&plain(&left_out), WIDTH).join("\n") + "\n");
+    }
+    if report.suite == "isosurface" {
+        out += &format!(
+            "Largest position error on an edge: {} ulp of binary64, {} ulp of binary32.\n",
+            ulp(report.position_error.binary64_ulp),
+            ulp(report.position_error.binary32_ulp)
+        );
+    }
     let seconds = &report.seconds;
     out += &format!(
         "Seconds: {:.2} for the candidate, {:.2} for the oracle, {:.2} in all. Seed {}.\n",
@@ -103,9 +110,13 @@ fn one_failure(number: usize, failure: &Failure, ink: &Ink) -> String {
     let heading = format!("{number}. {} · {} · {}", failure.row, failure.fault, failure.formula);
     let mut out = ink.bold(&plain(&heading)) + "\n";
     let case = if failure.case == failure.row { String::new() } else { format!("case {}, ", failure.case) };
-    let [nx, ny, nz] = failure.question.shape;
-    let values = failure.question.values.join(" ");
-    let question = format!("{case}{nx}×{ny}×{nz} at {}: {values}", failure.question.isovalue);
+    let question = match &failure.question {
+        QuestionRecord::Volume(question) => {
+            let [nx, ny, nz] = question.shape;
+            format!("{case}{nx}×{ny}×{nz} at {}: {}", question.isovalue, question.values.join(" "))
+        }
+        QuestionRecord::Other { op, input } => format!("{op} {input}"),
+    };
     let mut lines = vec![question];
     match failure.differences.split_first() {
         None => lines.extend(failure.messages.first().cloned()),

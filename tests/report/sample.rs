@@ -6,12 +6,13 @@ use isoracle::isosurface::patch::{PatchVertex, patch};
 use isoracle::isosurface::volume::{Level, Volume};
 use isoracle::judge::report::{
     CandidateInfo, Difference, Failure, Outcome, PositionError, QuestionRecord, Report, Row, Seconds, SurfaceRecord,
+    VolumeQuestion,
 };
 use isoracle::number::Rational;
 
 /// A question about integers with isovalue 0.
-pub fn question(shape: [usize; 3], values: &[i32]) -> QuestionRecord {
-    QuestionRecord {
+pub fn question(shape: [usize; 3], values: &[i32]) -> VolumeQuestion {
+    VolumeQuestion {
         op: "isosurface.mesh".to_owned(),
         shape,
         values: values.iter().map(ToString::to_string).collect(),
@@ -21,7 +22,7 @@ pub fn question(shape: [usize; 3], values: &[i32]) -> QuestionRecord {
 
 /// The mesh of a question with integers, each cell decided as `decide` alters its true decisions; cells
 /// share no vertices, as in the output of a parallel implementation.
-pub fn surface(question: &QuestionRecord, decide: impl Fn([usize; 3], Decisions) -> Decisions) -> SurfaceRecord {
+pub fn surface(question: &VolumeQuestion, decide: impl Fn([usize; 3], Decisions) -> Decisions) -> SurfaceRecord {
     let values = question.values.iter().map(|v| v.parse().expect("integers")).collect();
     let volume = Volume::integers(question.shape, values).expect("the values fit the shape");
     let level = Level { volume: &volume, isovalue: Rational::new(), tie: Tie::Below };
@@ -50,7 +51,7 @@ pub fn surface(question: &QuestionRecord, decide: impl Fn([usize; 3], Decisions)
 }
 
 /// The true mesh.
-pub fn truth(question: &QuestionRecord) -> SurfaceRecord {
+pub fn truth(question: &VolumeQuestion) -> SurfaceRecord {
     surface(question, |_, decisions| decisions)
 }
 
@@ -66,7 +67,7 @@ struct Way<'a> {
     message: &'a str,
 }
 
-fn failure(way: &Way, question: QuestionRecord, found: Option<SurfaceRecord>, differences: Vec<Difference>) -> Failure {
+fn failure(way: &Way, question: VolumeQuestion, found: Option<SurfaceRecord>, differences: Vec<Difference>) -> Failure {
     Failure {
         row: way.row.to_owned(),
         case: way.case.to_owned(),
@@ -77,7 +78,7 @@ fn failure(way: &Way, question: QuestionRecord, found: Option<SurfaceRecord>, di
         found,
         differences,
         command: format!("isoracle judge --seed 7 --only {}/{} -- ./fastmc --protocol", way.row, way.fault),
-        question,
+        question: QuestionRecord::Volume(question),
     }
 }
 
@@ -184,6 +185,7 @@ pub fn report() -> Report {
             ties,
         ],
         failures: vec![missed_tunnel(), inside_out(), crack(), crash()],
+        left_out: Vec::new(),
         position_error: PositionError { binary64_ulp: 1.5, binary32_ulp: 0.0 },
         seconds: Seconds { candidate: 1.25, oracle: 6.5, total: 8.125 },
     }

@@ -8,7 +8,7 @@ use crate::isosurface::classes::classes;
 use crate::isosurface::cube::{Corner, Edge, Face};
 use crate::isosurface::patch::{PatchVertex, patch};
 use crate::isosurface::volume::Volume;
-use crate::judge::report::{QuestionRecord, SurfaceRecord};
+use crate::judge::report::{SurfaceRecord, VolumeQuestion};
 use crate::number::{Rational, Sign, text};
 use ::svg::node::element::{Circle, Group, Line, Path, SVG, Text};
 
@@ -25,7 +25,7 @@ const MOST_HINTS: usize = 18;
 /// and hatched; its lines on the faces of the cells are bold, and an edge that ends the surface inside the
 /// grid, or has more than two triangles, is red and dashed. Triangles with a vertex that is not there or not
 /// within a cell's length of the grid are left out, and counted in the description.
-pub fn volume_picture(question: &QuestionRecord, surface: Option<&SurfaceRecord>, title: &str) -> Picture {
+pub fn volume_picture(question: &VolumeQuestion, surface: Option<&SurfaceRecord>, title: &str) -> Picture {
     let cells = question.shape.map(|n| n.saturating_sub(1).max(1));
     let longest = cells.into_iter().max().unwrap_or(1) as f64;
     let stage = Stage::new(cells, (380.0 / longest).clamp(24.0, 195.0), 46.0);
@@ -215,7 +215,7 @@ struct Samples {
 }
 
 impl Samples {
-    fn new(question: &QuestionRecord) -> Samples {
+    fn new(question: &VolumeQuestion) -> Samples {
         let values: Option<Vec<Rational>> = question.values.iter().map(|v| text::parse(v).ok()).collect();
         Samples {
             volume: values.and_then(|values| Volume::rationals(question.shape, values).ok()),
@@ -258,7 +258,7 @@ impl Samples {
         found
     }
 
-    fn description(&self, question: &QuestionRecord) -> String {
+    fn description(&self, question: &VolumeQuestion) -> String {
         let [nx, ny, nz] = question.shape;
         let mut text = format!("{nx} × {ny} × {nz} samples, isovalue {}.", short(&question.isovalue));
         if self.len() <= MOST_LABELS {

@@ -1,8 +1,8 @@
 //! What can be wrong with a mesh that is meant to be an isosurface.
 
-use super::report::Difference;
 use crate::isosurface::cases::Case;
 use crate::isosurface::volume::GridEdge;
+use crate::judge::report::Difference;
 use crate::mesh::triangles::Defect;
 use thiserror::Error;
 

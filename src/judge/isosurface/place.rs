@@ -1,63 +1,12 @@
 //! Where in a grid the vertices of a candidate's mesh lie.
 
+use super::candidate_mesh::Positions;
 use super::fault::{Cell, Fault};
-use super::report::PositionError;
 use crate::isosurface::cube::Edge;
 use crate::isosurface::fast;
 use crate::isosurface::volume::{GridEdge, Level};
+use crate::judge::report::PositionError;
 use crate::number::{Integer, Rational, binary};
-
-/// A candidate's mesh.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CandidateMesh {
-    /// Its vertices.
-    pub positions: Positions,
-    /// Its triangles.
-    pub triangles: Vec<[u32; 3]>,
-}
-
-/// Vertex positions as they came.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Positions {
-    /// From a message: exact numbers.
-    Exact(Vec<[Rational; 3]>),
-    /// From a file: binary64 or binary32 numbers, perhaps not finite.
-    Floats(Vec<[f64; 3]>),
-}
-
-impl Positions {
-    /// How many there are.
-    pub fn len(&self) -> usize {
-        match self {
-            Positions::Exact(positions) => positions.len(),
-            Positions::Floats(positions) => positions.len(),
-        }
-    }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// The exact position of a vertex; `None` if it is not finite.
-    pub fn exact(&self, vertex: usize) -> Option<[Rational; 3]> {
-        match self {
-            Positions::Exact(positions) => Some(positions[vertex].clone()),
-            Positions::Floats(positions) => {
-                let [x, y, z] = positions[vertex].map(Rational::from_f64);
-                Some([x?, y?, z?])
-            }
-        }
-    }
-
-    /// The position of a vertex, rounded.
-    pub fn rounded(&self, vertex: usize) -> [f64; 3] {
-        match self {
-            Positions::Exact(positions) => positions[vertex].each_ref().map(binary::nearest_f64),
-            Positions::Floats(positions) => positions[vertex],
-        }
-    }
-}
 
 /// What a vertex stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,15 +5,16 @@
 //! for. Away from tied samples the mesh is judged with labels as ever; at them, by what is left: a
 //! consistently oriented 2-manifold with the true components.
 
+use super::candidate_mesh::{CandidateMesh, Positions};
 use super::fault::{Cell, Fault};
-use super::place::{CandidateMesh, Positions, Tolerance};
-use super::report::Difference;
+use super::place::Tolerance;
 use super::verdict::{Verdict, judge_indexed, mesh_components, totals_text, welded};
 use crate::isosurface::cell::Tie;
 use crate::isosurface::cube::Corner;
 use crate::isosurface::fast;
 use crate::isosurface::topology::SurfaceComponent;
 use crate::isosurface::volume::{DegenerateCell, Level, Volume};
+use crate::judge::report::Difference;
 use crate::number::Rational;
 
 /// Judges a mesh as the isosurface at a tie.

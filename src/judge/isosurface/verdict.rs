@@ -1,13 +1,14 @@
 //! Whether a mesh is the isosurface: cell by cell with labels, and as a whole.
 
+use super::candidate_mesh::{CandidateMesh, Positions};
 use super::fault::{Cell, Fault};
-use super::place::{CandidateMesh, Place, Places, Positions, Sides, Tolerance, cell_edge, places};
-use super::report::{Difference, PositionError};
+use super::place::{Place, Places, Sides, Tolerance, cell_edge, places};
 use crate::isosurface::cell::{Decisions, Topology, assemble};
 use crate::isosurface::cube::{Edge, Face};
 use crate::isosurface::fast::{self, Decider};
 use crate::isosurface::topology::SurfaceComponent;
 use crate::isosurface::volume::{DegenerateCell, GridEdge, Level};
+use crate::judge::report::{Difference, PositionError};
 use crate::mesh::triangles::{Defect, Triangle, components, defects, edge_uses};
 use crate::mesh::weld::weld;
 use crate::partition::Partition;

@@ -1,0 +1,263 @@
+//! A candidate's answer beside the true one. What it leaves out is not judged, and named.
+
+use crate::answer::value;
+use crate::judge::isosurface::place::Tolerance;
+use crate::linear::Vector;
+use crate::number::Rational;
+use serde_json::{Map, Value};
+use std::collections::BTreeSet;
+
+/// One way in which an answer is wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// Its short name, by which failures are told apart.
+    pub name: &'static str,
+    /// The spec entry of the truth that it breaks.
+    pub formula: &'static str,
+    /// One sentence.
+    pub message: String,
+    /// What differs.
+    pub invariant: String,
+    /// The truth.
+    pub expected: String,
+    /// The candidate's.
+    pub found: String,
+}
+
+impl Fault {
+    fn new(name: &'static str, formula: &'static str, invariant: &str, expected: &str, found: &str) -> Fault {
+        let message = format!("{invariant}: expected {expected}, found {found}");
+        let [invariant, expected, found] = [invariant, expected, found].map(str::to_owned);
+        Fault { name, formula, message, invariant, expected, found }
+    }
+
+    /// An error where there is an answer, or another error than the question is.
+    pub fn refused(expected: &str, found: &str) -> Fault {
+        Fault::new("refused", "", "kind of answer", expected, found)
+    }
+
+    /// An answer where the question has none.
+    pub fn answered(kind: &str, out: &Value) -> Fault {
+        Fault::new("answered", "", "kind of answer", &format!("an error: {kind}"), &out.to_string())
+    }
+}
+
+/// What an answer says of one thing.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Said {
+    Rightly,
+    Wrongly,
+    Nothing,
+}
+
+/// The faults of an answer, the weightiest first, and the names of the fields that it leaves out.
+pub fn compare(operation: &str, truth: &Value, found: &Value, tolerance: Tolerance) -> (Vec<Fault>, Vec<String>) {
+    let mut comparison = Comparison { faults: Vec::new(), left_out: Vec::new(), said: 0, tolerance };
+    match operation {
+        "mesh.check" => comparison.check(truth, found),
+        "mesh.plane" => comparison.plane(truth, found),
+        "mesh.angle_deficits" => comparison.deficits(truth, found),
+        other => unreachable!("no operation {other} of meshes"),
+    }
+    if comparison.said == 0 {
+        comparison.faults = vec![Fault::new("says-nothing", "", "answer", &truth.to_string(), &found.to_string())];
+        comparison.left_out.clear();
+    }
+    (comparison.faults, comparison.left_out)
+}
+
+struct Comparison {
+    faults: Vec<Fault>,
+    left_out: Vec<String>,
+    said: usize,
+    tolerance: Tolerance,
+}
+
+impl Comparison {
+    /// Takes note of what was said of a field.
+    fn note(&mut self, said: Said, name: &'static str, formula: &'static str, field: &str, pair: [&Value; 2]) {
+        match said {
+            Said::Nothing => return self.left_out.push(field.to_owned()),
+            Said::Wrongly => {
+                self.faults.push(Fault::new(name, formula, field, &pair[0].to_string(), &pair[1].to_string()));
+            }
+            Said::Rightly => {}
+        }
+        self.said += 1;
+    }
+
+    fn check(&mut self, truth: &Value, found: &Value) {
+        let none = Value::Null;
+        match found.get("defects").and_then(Value::as_object) {
+            None => self.left_out.push("defects".to_owned()),
+            Some(defects) => {
+                self.said += 1;
+                let empty = Map::new();
+                let expected = truth["defects"].as_object().unwrap_or(&empty);
+                let categories: BTreeSet<&String> = expected.keys().chain(defects.keys()).collect();
+                for category in categories {
+                    let pair = [expected.get(category).unwrap_or(&none), defects.get(category).unwrap_or(&none)];
+                    if !same_set(pair[0], pair[1]) {
+                        self.note(Said::Wrongly, "wrong-defects", formula(category), category, pair);
+                    }
+                }
+            }
+        }
+        let Some(counts) = truth["counts"].as_object() else {
+            // With an index out of range there are none.
+            let given = found.get("counts").filter(|counts| !counts.is_null());
+            if let Some(given) = given {
+                self.note(Said::Wrongly, "wrong-counts", formula("index_out_of_range"), "counts", [&none, given]);
+            }
+            return;
+        };
+        for (name, expected) in counts {
+            let given = found.get("counts").and_then(|counts| counts.get(name));
+            let said = match given {
+                None => Said::Nothing,
+                Some(given) if name == "volume" => self.real(expected, given, None),
+                Some(given) => told(same(expected, given)),
+            };
+            let fault = match name.as_str() {
+                "volume" => "wrong-volume",
+                "closed" | "orientable" | "manifold" => "wrong-property",
+                _ => "wrong-counts",
+            };
+            self.note(said, fault, formula(name), &format!("counts.{name}"), [expected, given.unwrap_or(&none)]);
+        }
+    }
+
+    fn plane(&mut self, truth: &Value, found: &Value) {
+        let none = Value::Null;
+        let pair = |name: &str| [truth.get(name).unwrap_or(&none).clone(), found.get(name).unwrap_or(&none).clone()];
+        let [expected, given] = pair("planar");
+        let said = if given.is_null() { Said::Nothing } else { told(expected == given) };
+        self.note(said, "wrong-planarity", formula("nonplanar_face"), "planar", [&expected, &given]);
+        let [expected, given] = pair("normal");
+        let normals = [vector(&expected), vector(&given)];
+        let (said, scale) = match normals {
+            [Some(n), Some(m)] => self.parallel(&n, &m),
+            [_, None] if given.is_null() => (Said::Nothing, None),
+            [_, _] => (Said::Wrongly, None),
+        };
+        self.note(said, "wrong-normal", formula("normal"), "normal (up to a positive factor)", [&expected, &given]);
+        // The offset is that of the answered normal.
+        let [expected, given] = pair("offset");
+        let said = match (scale, given.is_null()) {
+            (_, true) => Said::Nothing,
+            (Some(scale), false) => self.real(&expected, &given, Some(&scale)),
+            (None, false) => return,
+        };
+        self.note(said, "wrong-offset", formula("offset"), "offset", [&expected, &given]);
+        let [expected, given] = pair("worst_distance_squared");
+        let said = if given.is_null() { Said::Nothing } else { self.real(&expected, &given, None) };
+        self.note(said, "wrong-distance", formula("distance"), "worst_distance_squared", [&expected, &given]);
+    }
+
+    /// Whether two vectors have one direction, and how long the second is in units of the first.
+    fn parallel(&self, n: &Vector<Rational, 3>, m: &Vector<Rational, 3>) -> (Said, Option<Rational>) {
+        let (dot, square) = (n.dot(m), n.norm_squared());
+        if dot <= 0 || square == 0 {
+            return (Said::Wrongly, None);
+        }
+        // sin² of the angle between them.
+        let sine = n.cross(m).norm_squared() / (square.clone() * m.norm_squared());
+        (told(sine <= self.relative().square()), Some(dot / square))
+    }
+
+    fn deficits(&mut self, truth: &Value, found: &Value) {
+        let none = Value::Null;
+        for (name, fault) in [("chi", "wrong-counts"), ("total_over_pi", "wrong-total")] {
+            let given = found.get(name);
+            let said = given.map_or(Said::Nothing, |given| told(same(&truth[name], given)));
+            self.note(said, fault, formula(name), name, [&truth[name], given.unwrap_or(&none)]);
+        }
+        let lists = [truth.get("deficits"), found.get("deficits")].map(|list| list.and_then(Value::as_array));
+        match lists {
+            [Some(expected), Some(given)] if expected.len() == given.len() => {
+                for (v, (expected, given)) in expected.iter().zip(given).enumerate() {
+                    let said = self.real(expected, given, None);
+                    self.note(said, "wrong-deficit", formula("deficits"), &format!("deficits[{v}]"), [expected, given]);
+                }
+            }
+            [_, None] => self.left_out.push("deficits".to_owned()),
+            [_, Some(_)] => {
+                let pair = [&truth["deficits"], found.get("deficits").unwrap_or(&none)];
+                self.note(Said::Wrongly, "wrong-deficit", formula("deficits"), "deficits", pair);
+            }
+        }
+    }
+
+    /// The relative error that a number with a rounding may have.
+    fn relative(&self) -> Rational {
+        let ulps = Rational::from_f64(self.tolerance.0).unwrap_or_default();
+        ulps >> 24
+    }
+
+    /// Compares a real number with the true one (times a factor). Exact answers and enclosures are taken at their word;
+    /// a binary64 may be off by the tolerance, relative to the truth.
+    fn real(&self, truth: &Value, found: &Value, factor: Option<&Rational>) -> Said {
+        let (Some(truth), Some(given)) = (bounds(truth), bounds(found)) else {
+            return told(truth == found);
+        };
+        let one = Rational::from(1);
+        let factor = factor.unwrap_or(&one);
+        let [low, high] = truth.map(|x| x * factor);
+        // With a float for a factor, only a float can come out.
+        let slack = if is_rounded(found) || !factor.is_integer() && *factor != 1 {
+            (low.clone().abs().max(high.clone().abs())) * self.relative()
+        } else {
+            Rational::new()
+        };
+        told(given[1] >= low - &slack && given[0] <= high + slack)
+    }
+}
+
+fn told(rightly: bool) -> Said {
+    if rightly { Said::Rightly } else { Said::Wrongly }
+}
+
+/// Whether a value is a JSON number with a fraction or an exponent: a binary64.
+fn is_rounded(value: &Value) -> bool {
+    value.is_number() && !value.is_i64() && !value.is_u64()
+}
+
+/// The least and the greatest number that a value may stand for.
+fn bounds(value: &Value) -> Option<[Rational; 2]> {
+    match value.as_object() {
+        Some(enclosure) => {
+            let end = |name: &str| enclosure.get(name).and_then(|end| value::number(end).ok());
+            Some([end("lo")?, end("hi")?])
+        }
+        None => value::number(value).ok().map(|x| [x.clone(), x]),
+    }
+}
+
+fn vector(value: &Value) -> Option<Vector<Rational, 3>> {
+    let list = value.as_array().filter(|list| list.len() == 3)?;
+    let numbers: Vec<Rational> = list.iter().map(value::number).collect::<Result<_, _>>().ok()?;
+    Some(Vector(numbers.try_into().ok()?))
+}
+
+/// Equal as numbers where both are numbers, else equal.
+fn same(truth: &Value, found: &Value) -> bool {
+    match (value::number(truth), value::number(found)) {
+        (Ok(x), Ok(y)) => x == y,
+        (_, _) => truth == found,
+    }
+}
+
+/// Equal as sets of elements; a category without elements is absent.
+fn same_set(truth: &Value, found: &Value) -> bool {
+    let set = |value: &Value| match value {
+        Value::Null => Some(BTreeSet::new()),
+        Value::Array(list) => Some(list.iter().map(Value::to_string).collect::<BTreeSet<String>>()),
+        _ => None,
+    };
+    set(found).is_some_and(|found| Some(found) == set(truth))
+}
+
+/// The spec entry of a category, a count or a field.
+fn formula(_name: &str) -> &'static str {
+    ""
+}

@@ -1,0 +1,160 @@
+//! The suite `mesh`: sound and broken polygon meshes, planes of polygons, angle deficits of triangle meshes.
+
+mod bases;
+mod compare;
+mod plant;
+pub mod questions;
+mod smaller;
+
+use super::candidate::{Candidate, Reply};
+use super::isosurface::place::Tolerance;
+use super::report::{Difference, Failure, PositionError, QuestionRecord, SurfaceRecord};
+use super::suite::{Judgement, Suite};
+use crate::answer;
+use crate::answer::value::{InvalidField, Object};
+use crate::number::binary::nearest_f64;
+use compare::Fault;
+use questions::{Question, Row, questions};
+use serde_json::{Value, json};
+
+/// The suite, with how to run it.
+#[derive(Clone, Copy, Debug)]
+pub struct Mesh {
+    /// The seed of the random questions.
+    pub seed: u64,
+    /// How many questions of each row.
+    pub cases: usize,
+    /// How far an answered real number that is no exact one may be from the true one.
+    pub tolerance: Tolerance,
+}
+
+/// What shows that an answer is wrong: the weightiest first.
+#[derive(Clone, Debug)]
+pub struct Evidence(Vec<Fault>);
+
+impl Mesh {
+    fn judge(&self, question: &Question, reply: Reply) -> Judgement<Evidence> {
+        let truth = truth(question);
+        let (faults, left_out) = match (truth, reply) {
+            (_, Reply::Broken(breakdown)) => return Judgement::Broken(breakdown),
+            (_, Reply::Unsupported(why)) => return Judgement::Unsupported(why),
+            (_, Reply::Error { kind, message }) if kind == "limit" => return Judgement::Unsupported(message),
+            (Err(kind), Reply::Error { kind: found, .. }) if found == kind => return Judgement::right(),
+            (Err(kind), Reply::Error { kind: found, message }) => {
+                (vec![Fault::refused(kind, &format!("{found}: {message}"))], Vec::new())
+            }
+            (Err(kind), Reply::Out(out)) => (vec![Fault::answered(kind, &out)], Vec::new()),
+            (Ok(_), Reply::Error { kind, message }) => {
+                (vec![Fault::refused("an answer", &format!("{kind}: {message}"))], Vec::new())
+            }
+            (Ok(truth), Reply::Out(out)) => compare::compare(question.row.operation(), &truth, &out, self.tolerance),
+        };
+        match faults.first().map(|fault| fault.name) {
+            None => Judgement::Right { error: PositionError::default(), left_out },
+            Some(fault) => Judgement::Wrong { fault, error: PositionError::default(), evidence: Evidence(faults) },
+        }
+    }
+}
+
+/// The oracle's answer, or the kind of error that the question is.
+fn truth(question: &Question) -> Result<Value, &'static str> {
+    let Value::Object(input) = question.input() else { unreachable!("a question's `in` is an object") };
+    match answer::out(question.row.operation(), &input) {
+        Ok(out) => Ok(out.value()),
+        Err(refusal) => Err(refusal.kind().map_or("unsupported", |kind| kind.name())),
+    }
+}
+
+/// Whether the truth has a defect of that category.
+fn has_defect(question: &Question, category: &str) -> bool {
+    truth(question).is_ok_and(|truth| truth["defects"].get(category).is_some())
+}
+
+impl Suite for Mesh {
+    type Question = Question;
+    type Evidence = Evidence;
+
+    fn name(&self) -> &'static str {
+        "mesh"
+    }
+
+    fn operations(&self) -> &'static [&'static str] {
+        &["mesh.check", "mesh.plane", "mesh.angle_deficits"]
+    }
+
+    fn rows(&self) -> [Vec<String>; 2] {
+        let cases = Row::CASES.map(|row| row.name().to_owned());
+        [cases.to_vec(), Row::GROUPS.map(|row| row.name().to_owned()).to_vec()]
+    }
+
+    fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    fn questions(&self) -> Vec<Question> {
+        questions(self.seed, self.cases)
+    }
+
+    fn row(&self, question: &Question) -> String {
+        question.row.name().to_owned()
+    }
+
+    fn ask(&self, candidate: &mut dyn Candidate, question: &Question) -> Judgement<Evidence> {
+        let reply = candidate.ask(question.row.operation(), &question.input());
+        self.judge(question, reply)
+    }
+
+    fn answer(&self, question: &Question) {
+        let own = truth(question);
+        debug_assert!(own != Err("unsupported"));
+    }
+
+    fn size(&self, question: &Question) -> impl Ord {
+        smaller::size(question)
+    }
+
+    fn smaller(&self, question: &Question) -> Vec<Question> {
+        smaller::smaller(question)
+    }
+
+    fn failure(&self, question: &Question, evidence: Option<Evidence>) -> Failure {
+        let faults = evidence.map_or(Vec::new(), |evidence| evidence.0);
+        Failure {
+            row: String::new(),
+            case: question.row.name().to_owned(),
+            fault: String::new(),
+            formula: faults.first().map_or("", |fault| fault.formula).to_owned(),
+            messages: faults.iter().take(8).map(|fault| fault.message.clone()).collect(),
+            question: QuestionRecord::Other { op: question.row.operation().to_owned(), input: question.input() },
+            differences: faults.into_iter().take(4).map(Fault::difference).collect(),
+            expected: Some(picture(question)),
+            found: None,
+            command: String::new(),
+        }
+    }
+
+    fn text(&self, question: &Question) -> Value {
+        json!({"op": question.row.operation(), "in": question.input()})
+    }
+
+    fn parse(&self, text: &Object) -> Result<Question, InvalidField> {
+        Question::parse(text)
+    }
+}
+
+/// The mesh of the question, each loop as a fan from its first vertex.
+fn picture(question: &Question) -> SurfaceRecord {
+    let count = question.mesh.vertices.len() as u32;
+    let loops = question.mesh.faces.iter().flat_map(|face| face.loops());
+    let fans = loops.flat_map(|l| (1..l.len().saturating_sub(1)).map(|i| [l[0], l[i], l[i + 1]]));
+    SurfaceRecord {
+        vertices: question.mesh.vertices.iter().map(|v| v.0.each_ref().map(nearest_f64)).collect(),
+        faces: fans.filter(|triangle| triangle.iter().all(|v| *v < count)).collect(),
+    }
+}
+
+impl Fault {
+    fn difference(self) -> Difference {
+        Difference { invariant: self.invariant, expected: self.expected, found: self.found }
+    }
+}
