@@ -70,8 +70,11 @@ impl Serialize for CountsOut {
     }
 }
 
-/// `{vertices, faces, holes?}`, or `{file, holes?}`.
-fn mesh(input: &Object) -> Result<VertexList, InvalidField> {
+/// The mesh of `{vertices, faces, holes?}`, or `{file, holes?}`.
+///
+/// # Errors
+/// The field that cannot be read.
+pub fn mesh(input: &Object) -> Result<VertexList, InvalidField> {
     let mut mesh = match value::optional(input, "file", |file| value::string(file).map(str::to_owned))? {
         None => VertexList {
             vertices: value::field(input, "vertices", |list| value::items(list, point))?,
@@ -135,7 +138,11 @@ fn face_number(key: &str) -> Result<usize, InvalidField> {
     })
 }
 
-fn listed_edges(input: &Object) -> Result<Option<ListedEdges>, InvalidField> {
+/// The edge list of `{edges?, edge_faces?}`.
+///
+/// # Errors
+/// The field that cannot be read.
+pub fn listed_edges(input: &Object) -> Result<Option<ListedEdges>, InvalidField> {
     let ends = |value: &Value| value::exactly(value, vertex_number);
     let edges = value::optional(input, "edges", |list| value::items(list, ends))?;
     let faces = value::optional(input, "edge_faces", |list| value::items(list, numbers))?;
@@ -163,14 +170,22 @@ struct PlaneOut {
     worst_distance_squared: Exact,
 }
 
+/// The polygon of `{polygon:[[x,y,z],…]}`, of three vertices at least.
+///
+/// # Errors
+/// The field that cannot be read.
+pub fn polygon(input: &Object) -> Result<Vec<Point>, InvalidField> {
+    value::field(input, "polygon", |list| match value::items(list, point)? {
+        polygon if polygon.len() < 3 => Err(InvalidField::here(Problem::FewVertices { found: polygon.len() })),
+        polygon => Ok(polygon),
+    })
+}
+
 /// `mesh.plane` in `{polygon:[[x,y,z],…]}`: A x + B y + C z = `offset`, of least squares, (A, B, C) the projected areas.
 ///
 /// Ill-posed: fewer than 3 vertices. Degenerate: (A, B, C) = 0.
 pub fn plane(input: &Object) -> Result<Out, Refusal> {
-    let polygon: Vec<Point> = value::field(input, "polygon", |list| match value::items(list, point)? {
-        polygon if polygon.len() < 3 => Err(InvalidField::here(Problem::FewVertices { found: polygon.len() })),
-        polygon => Ok(polygon),
-    })?;
+    let polygon = polygon(input)?;
     let plane = Plane::of_polygon(&polygon).map_err(Refusal::NoPlane)?;
     let worst = polygon.iter().map(|vertex| plane.distance_squared(vertex)).max();
     Ok(Out::new(&PlaneOut {

@@ -3,6 +3,7 @@
 use super::bases::{append, beside, projective_plane};
 use super::questions::Question;
 use crate::linear::Vector;
+use crate::mesh::defects::ListedEdges;
 use crate::mesh::examples::tetrahedron;
 use crate::mesh::face::Face;
 use crate::mesh::vertex_list::{Point, VertexList};
@@ -106,30 +107,33 @@ pub fn plant(random: &mut ChaCha8Rng, question: &mut Question, category: &str) {
 
 fn plant_in_list(random: &mut ChaCha8Rng, question: &mut Question, category: &str) {
     let count = question.mesh.vertices.len() as u32;
-    let faces = question.mesh.faces.len() as u32;
-    let Some(listed) = &mut question.listed else { return };
-    let e = random.random_range(0..listed.edges.len());
+    let face_count = question.mesh.faces.len() as u32;
+    let Some(listed) = &question.listed else { return };
+    let mut edges = listed.edges().to_vec();
+    let mut faces = listed.faces().unwrap_or_default().to_vec();
+    let e = random.random_range(0..edges.len());
     match category {
         "edge_unreferenced" => {
             let a = random.random_range(0..count);
-            listed.edges.push([a, (a + random.random_range(1..count)) % count]);
-            listed.faces.push(Vec::new());
+            edges.push([a, (a + random.random_range(1..count)) % count]);
+            faces.push(Vec::new());
         }
         "edge_missing_from_list" => {
-            listed.edges.remove(e);
-            listed.faces.remove(e);
+            edges.remove(e);
+            faces.remove(e);
         }
         "duplicate_edge_record" => {
-            let [a, b] = listed.edges[e];
-            listed.edges.push(if random.random() { [a, b] } else { [b, a] });
-            listed.faces.push(listed.faces[e].clone());
+            let [a, b] = edges[e];
+            edges.push(if random.random() { [a, b] } else { [b, a] });
+            faces.push(faces[e].clone());
         }
         _ => match random.random_range(0..3) {
-            0 => drop(listed.faces[e].pop()),
-            1 => listed.faces[e].push(random.random_range(0..faces)),
-            _ => listed.faces[e][0] = random.random_range(0..faces),
+            0 => drop(faces[e].pop()),
+            1 => faces[e].push(random.random_range(0..face_count)),
+            _ => faces[e][0] = random.random_range(0..face_count),
         },
     }
+    question.listed = Some(ListedEdges::new(edges, Some(faces)).expect("one list of faces for each edge"));
 }
 
 fn add(mesh: &mut VertexList, position: Point) -> u32 {

@@ -3,10 +3,12 @@
 use super::bases;
 use super::has_defect;
 use super::plant::plant;
-use crate::answer::value::{self, InvalidField, Object, Problem, Step};
+use crate::answer::mesh_check;
+use crate::answer::value::{self, InvalidField, Object};
 use crate::linear::Vector;
+use crate::mesh::defects::ListedEdges;
 use crate::mesh::face::{Face, edge};
-use crate::mesh::vertex_list::{Point, VertexList};
+use crate::mesh::vertex_list::VertexList;
 use crate::number::Rational;
 use crate::number::text::exact_text;
 use rand::{Rng, SeedableRng};
@@ -101,15 +103,6 @@ impl Row {
     }
 }
 
-/// An edge list beside the faces.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Listed {
-    /// The ends of each edge.
-    pub edges: Vec<[u32; 2]>,
-    /// The faces that each says it is used by.
-    pub faces: Vec<Vec<u32>>,
-}
-
 /// A question. That of a plane is a mesh of one face whose vertices are the polygon.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Question {
@@ -118,7 +111,7 @@ pub struct Question {
     /// The mesh.
     pub mesh: VertexList,
     /// Its edge list, where it has one.
-    pub listed: Option<Listed>,
+    pub listed: Option<ListedEdges>,
 }
 
 impl Question {
@@ -136,8 +129,10 @@ impl Question {
             input["holes"] = Value::Object(holes);
         }
         if let Some(listed) = &self.listed {
-            input["edges"] = json!(listed.edges);
-            input["edge_faces"] = json!(listed.faces);
+            input["edges"] = json!(listed.edges());
+            if let Some(faces) = listed.faces() {
+                input["edge_faces"] = json!(faces);
+            }
         }
         input
     }
@@ -153,38 +148,13 @@ impl Question {
     }
 
     fn read(row: Row, input: &Object) -> Result<Question, InvalidField> {
-        let points = |list: &Value| value::items(list, |v| Ok(Vector(value::numbers::<3>(v)?)));
         if row == Row::Planes {
-            let vertices: Vec<Point> = value::field(input, "polygon", points)?;
+            let vertices = mesh_check::polygon(input)?;
             let face = Face::new((0..vertices.len() as u32).collect::<Vec<u32>>());
             return Ok(Question { row, mesh: VertexList { vertices, faces: vec![face] }, listed: None });
         }
-        let loops = |list: &Value| value::items(list, |l| value::items(l, index));
-        let vertices = value::field(input, "vertices", points)?;
-        let mut faces: Vec<Face> = value::field(input, "faces", loops)?.into_iter().map(Face::new).collect();
-        let holes = value::optional(input, "holes", |holes| {
-            let of_face = |(name, list): (&String, &Value)| {
-                let face = name.parse::<usize>().ok().filter(|face| *face < faces.len());
-                let face = face.ok_or_else(|| InvalidField::here(Problem::Missing).within(Step::Field("face")))?;
-                Ok((face, loops(list)?))
-            };
-            value::object(holes)?.iter().map(of_face).collect::<Result<Vec<_>, InvalidField>>()
-        })?;
-        for (face, loops) in holes.into_iter().flatten() {
-            faces[face].holes = loops;
-        }
-        let ends = |list: &Value| value::items(list, |edge| value::exactly(edge, index));
-        let listed = value::optional(input, "edges", ends)?.map(|edges| -> Result<Listed, InvalidField> {
-            let faces = value::optional(input, "edge_faces", loops)?.unwrap_or_default();
-            Ok(Listed { edges, faces })
-        });
-        Ok(Question { row, mesh: VertexList { vertices, faces }, listed: listed.transpose()? })
+        Ok(Question { row, mesh: mesh_check::mesh(input)?, listed: mesh_check::listed_edges(input)? })
     }
-}
-
-fn index(value: &Value) -> Result<u32, InvalidField> {
-    let number = value::number(value)?;
-    Ok(if number.is_integer() { number.numer().to_u32().unwrap_or(u32::MAX) } else { u32::MAX })
 }
 
 fn coordinate(x: &Rational) -> Value {
@@ -195,15 +165,15 @@ fn coordinate(x: &Rational) -> Value {
 }
 
 /// The true edge list of a mesh.
-pub fn listed(mesh: &VertexList) -> Listed {
+pub fn listed(mesh: &VertexList) -> ListedEdges {
     let mut faces_of: BTreeMap<[u32; 2], BTreeSet<u32>> = BTreeMap::new();
     for (f, face) in mesh.faces.iter().enumerate() {
         for side in face.sides().filter(|[a, b]| a != b) {
             faces_of.entry(edge(side)).or_default().insert(f as u32);
         }
     }
-    let (edges, faces) = faces_of.into_iter().map(|(e, faces)| (e, faces.into_iter().collect())).unzip();
-    Listed { edges, faces }
+    let faces = faces_of.values().map(|faces| faces.iter().copied().collect()).collect();
+    ListedEdges::new(faces_of.into_keys().collect(), Some(faces)).expect("one list of faces for each edge")
 }
 
 /// The suite: `cases` questions of each row.

@@ -9,7 +9,7 @@ use crate::number::Rational;
 pub fn size(question: &Question) -> (usize, usize, u64) {
     let mesh = &question.mesh;
     let sides = mesh.faces.iter().map(|face| face.vertices().count()).sum();
-    let records = question.listed.as_ref().map_or(0, |listed| listed.edges.len());
+    let records = question.listed.as_ref().map_or(0, |listed| listed.edges().len());
     let bits = |x: &Rational| u64::from(x.numer().significant_bits()) + u64::from(x.denom().significant_bits());
     (sides, mesh.vertices.len() + records, mesh.vertices.iter().flat_map(|v| &v.0).map(bits).sum())
 }

@@ -35,6 +35,16 @@ impl ListedEdges {
             Some(_) | None => Ok(ListedEdges { edges, faces }),
         }
     }
+
+    /// The ends of each edge.
+    pub fn edges(&self) -> &[[u32; 2]] {
+        &self.edges
+    }
+
+    /// The faces of each edge, where they are listed.
+    pub fn faces(&self) -> Option<&[Vec<u32>]> {
+        self.faces.as_deref()
+    }
 }
 
 /// The records against the uses, and the uses against the records.
