@@ -6,6 +6,7 @@
 //! [`MAX_CHARACTERS`](crate::number::text::MAX_CHARACTERS) characters a number, exponents up to
 //! [`MAX_EXPONENT`](crate::number::text::MAX_EXPONENT), 127 levels of nesting.
 
+pub mod angle_deficits;
 pub mod isosurface;
 pub mod mesh;
 pub mod message;
@@ -42,6 +43,7 @@ pub const OPERATIONS: &[(&str, Operation)] = &[
     ("isosurface.polyline", isosurface::polyline),
     ("isosurface.tetrahedra", isosurface::tetrahedra),
     ("trilinear.evaluate", trilinear::evaluate),
+    ("mesh.angle_deficits", angle_deficits::angle_deficits),
 ];
 
 /// Answers every line of the input, in order, each flushed as soon as it and those before it are known;

@@ -1,3 +1,7 @@
 //! Polygon meshes: each entry of spec/mesh.md against a second derivation.
 
+mod angle_answers;
+mod angle_complexes;
+mod angle_isosurface;
+mod angle_multiples;
 mod examples;
