@@ -4,4 +4,5 @@ mod angle_answers;
 mod angle_complexes;
 mod angle_isosurface;
 mod angle_multiples;
+mod angle_polygons;
 mod examples;

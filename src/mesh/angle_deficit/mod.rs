@@ -8,10 +8,12 @@ mod curvature;
 mod direction;
 mod index;
 mod multiple_of_pi;
+mod polygon;
 
 pub use curvature::Curvature;
 pub use direction::{CornerAngle, half_turns};
 pub use multiple_of_pi::multiple_of_pi;
+pub use polygon::{PolygonAngle, PolygonAngleMesh, PolygonError, turning_number};
 
 use super::face::{edge, sides};
 use super::triangles::{EdgeKey, Triangle};
