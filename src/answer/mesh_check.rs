@@ -159,7 +159,7 @@ pub fn listed_edges(input: &Object) -> Result<Option<ListedEdges>, InvalidField>
 /// A number that a vertex could have.
 fn vertex_number(value: &Value) -> Result<u32, InvalidField> {
     let n = integer(value)?;
-    n.to_u32().ok_or_else(|| InvalidField::here(Problem::VertexNumber(n)))
+    n.to_u32().ok_or_else(|| InvalidField::here(Problem::VertexNumber(n.into())))
 }
 
 #[derive(Serialize)]

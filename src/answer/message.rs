@@ -8,6 +8,7 @@ use crate::isosurface::tetrahedra::DegenerateSample;
 use crate::isosurface::triangle::DegeneratePoint;
 use crate::isosurface::volume::DegenerateCell;
 use crate::mesh::plane::NoPlane;
+use crate::mesh::angle_deficit::AngleError;
 use crate::number::Rational;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -83,6 +84,9 @@ pub enum Refusal {
     /// The polygon has no plane.
     #[error("polygon: {0}")]
     NoPlane(#[from] NoPlane),
+    /// A triangle of the mesh has no angles.
+    #[error("{0}")]
+    DegenerateTriangle(AngleError),
     /// An operation panicked: our fault.
     #[error("a bug in the oracle: {0}")]
     Panic(String),
@@ -144,7 +148,8 @@ impl Refusal {
             | Refusal::DegenerateGridSquare(_)
             | Refusal::DegeneratePoint(_)
             | Refusal::DegenerateSample(_)
-            | Refusal::NoPlane(_) => Some(Kind::Degenerate),
+            | Refusal::NoPlane(_)
+            | Refusal::DegenerateTriangle(_) => Some(Kind::Degenerate),
             Refusal::Panic(_) => Some(Kind::Internal),
         }
     }

@@ -6,6 +6,7 @@
 //! [`MAX_CHARACTERS`](crate::number::text::MAX_CHARACTERS) characters a number, exponents up to
 //! [`MAX_EXPONENT`](crate::number::text::MAX_EXPONENT), 127 levels of nesting.
 
+pub mod angle_deficits;
 pub mod isosurface;
 pub mod mesh;
 pub mod mesh_check;
@@ -45,6 +46,7 @@ pub const OPERATIONS: &[(&str, Operation)] = &[
     ("trilinear.evaluate", trilinear::evaluate),
     ("mesh.check", mesh_check::check),
     ("mesh.plane", mesh_check::plane),
+    ("mesh.angle_deficits", angle_deficits::angle_deficits),
 ];
 
 /// Answers every line of the input, in order, each flushed as soon as it and those before it are known;

@@ -3,8 +3,10 @@
 use crate::format::FormatError;
 use crate::isosurface::polyline::RasterError;
 use crate::isosurface::volume::VolumeError;
+use crate::mesh::angle_deficit::AngleError;
+use crate::number::decimal::Digits;
 use crate::number::text::{self, NumberError};
-use crate::number::{Integer, Rational};
+use crate::number::Rational;
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 use std::fmt::{self, Display, Formatter};
@@ -77,9 +79,6 @@ pub enum Problem {
     /// It is no integer.
     #[error("expected an integer, found {0}")]
     Integer(Rational),
-    /// It is no number that a vertex could have.
-    #[error("expected a vertex number, found {0}")]
-    VertexNumber(Integer),
     /// Holes of a face that does not exist.
     #[error("there is no such face; there are {faces}")]
     NoSuchFace {
@@ -107,6 +106,15 @@ pub enum Problem {
     /// Shape and values do not make a raster; its message names the field.
     #[error("{0}")]
     Raster(RasterError),
+    /// It is not the number of a vertex.
+    #[error("expected the number of a vertex, an integer from 0 on, found {0}")]
+    VertexNumber(Rational),
+    /// A triangle is not one of the mesh.
+    #[error("{0}")]
+    Triangle(AngleError),
+    /// It is not a number of digits.
+    #[error("expected a number of digits, an integer from 0 on, found {0}")]
+    Digits(Rational),
     /// What is in the file does not make a volume.
     #[error("{0}")]
     VolumeFile(VolumeError),
@@ -140,7 +148,10 @@ impl InvalidField {
             | Problem::VolumeFile(VolumeError::TooLarge(_))
             | Problem::Raster(RasterError::TooLarge(_)) => true,
             Problem::Number(error) => {
-                matches!(error, NumberError::TooLong { .. } | NumberError::ExponentTooLarge)
+                matches!(
+                    error,
+                    NumberError::TooLong { .. } | NumberError::ExponentTooLarge | NumberError::TooManyDigits { .. }
+                )
             }
             Problem::File(error) => matches!(error.problem, crate::format::Problem::TooLarge { .. }),
             Problem::Missing
@@ -153,6 +164,8 @@ impl InvalidField {
             | Problem::NoSuchFace { .. }
             | Problem::NotFinite { .. }
             | Problem::FewVertices { .. }
+            | Problem::Triangle(_)
+            | Problem::Digits(_)
             | Problem::BesideFile
             | Problem::Volume(_)
             | Problem::VolumeFile(_)
@@ -272,6 +285,24 @@ pub fn shape<const N: usize>(value: &Value) -> Result<[usize; N], InvalidField> 
     match sides.iter().try_fold(1_usize, |n, &side| n.checked_mul(side)) {
         Some(samples) if samples <= MAX_SAMPLES => Ok(sides),
         Some(_) | None => Err(InvalidField::here(Problem::TooManySamples)),
+    }
+}
+
+/// The number of a vertex. One beyond 32 bits is the greatest there is, which no vertex has.
+pub fn vertex_number(value: &Value) -> Result<u32, InvalidField> {
+    match number(value)? {
+        n if n.is_integer() && n >= 0 => Ok(n.numer().to_u32().unwrap_or(u32::MAX)),
+        n => Err(InvalidField::here(Problem::VertexNumber(n))),
+    }
+}
+
+/// How narrow an enclosure is to be.
+pub fn digits(value: &Value) -> Result<Digits, InvalidField> {
+    match number(value)? {
+        n if n.is_integer() && n >= 0 => {
+            Digits::new(n.numer().to_u32().unwrap_or(u32::MAX)).map_err(InvalidField::here)
+        }
+        n => Err(InvalidField::here(Problem::Digits(n))),
     }
 }
 

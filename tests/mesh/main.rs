@@ -1,3 +1,8 @@
 //! Polygon meshes: each entry of spec/mesh.md against a second derivation.
 
+mod angle_answers;
+mod angle_complexes;
+mod angle_isosurface;
+mod angle_multiples;
+mod angle_polygons;
 mod examples;

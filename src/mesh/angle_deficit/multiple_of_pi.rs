@@ -1,0 +1,120 @@
+//! Which sums of angles are rational multiples of π: decided exactly, whatever their radicands.
+
+use super::direction::CornerAngle;
+use crate::number::{Rational, Sign};
+
+/// The sum of the angles divided by π, where that is rational; `None` iff it is irrational. What is rational is a
+/// multiple of 1/12, and one angle alone is π/6, π/4, π/3, π/2, 2π/3, 3π/4 or 5π/6 (ME-506, ME-507).
+///
+/// It takes one pass a class of radicands whose sum is a multiple, and one that finds a class whose sum is none.
+///
+/// # Panics
+/// Iff some N ≤ 0: that is no angle.
+#[doc(alias = "ME-506")]
+#[doc(alias = "ME-507")]
+pub fn multiple_of_pi(angles: &[CornerAngle]) -> Option<Rational> {
+    // Let two radicands be of one class if their quotient is the square of a rational; a class is a field ℚ(√−N). If
+    // Θ, the sum of the class's angles, is a rational multiple of π for each class, so is the sum of all. The converse:
+    //
+    // U = exp(2iΘ) = w/w̄ is in the field of its class, w being a product of directions, and |U| = 1. Suppose that the
+    // product of U₁, …, U_k, of different fields, is a root of unity ζ. Let G be the Galois group over ℚ of the field of
+    // all √−Nⱼ. It maps √−Nⱼ to εⱼ(σ)√−Nⱼ, εⱼ(σ) = ±1, so Uⱼ to itself or to its conjugate: to Uⱼ^εⱼ(σ). Hence
+    //     Π_j Uⱼ^εⱼ(σ) = σ(ζ)   for each σ in G,
+    //     Π_σ Π_j Uⱼ^(εⱼ(σ)ε₁(σ)) = U₁^|G|,
+    // for different fields have different characters εⱼ, and these are orthogonal: Σ_σ εⱼ(σ)ε₁(σ) is 0 for j ≠ 1. The
+    // left side is a product of σ(ζ)^±1, so U₁ is a root of unity, and so is every Uⱼ. QED.
+    //
+    // A quadratic field ℚ(√−N) has the roots of unity ±1, with ±i if N is a square, and those of order 6 if 3N is:
+    // Θ is a multiple of π/2, of π/4, of π/6.
+    let mut rest: Vec<&CornerAngle> = angles.iter().collect();
+    let mut sum = Rational::new();
+    while let Some(first) = rest.first() {
+        let mut of_class = AngleSum::zero(&first.n);
+        rest.retain(|angle| !of_class.add(angle));
+        sum += of_class.over_pi()?;
+    }
+    Some(sum)
+}
+
+/// The sum half_turns·π + θ, 0 ≤ θ < π, of angles whose radicands are of one class.
+struct AngleSum<'a> {
+    half_turns: i64,
+    theta: Theta,
+    n: &'a Rational,
+}
+
+/// An angle in [0, π).
+enum Theta {
+    Zero,
+    /// That of the direction c + √N i: c = √N cot θ.
+    Over(Rational),
+}
+
+impl<'a> AngleSum<'a> {
+    fn zero(n: &'a Rational) -> AngleSum<'a> {
+        assert!(*n > 0, "the direction of an angle in (0, π) has N > 0");
+        AngleSum { half_turns: 0, theta: Theta::Zero, n }
+    }
+
+    /// Adds an angle; `false` iff its radicand is of another class, for then nothing is added.
+    fn add(&mut self, angle: &CornerAngle) -> bool {
+        // x + √(r²N) i has the direction of x/r + √N i.
+        let Some(r) = square_root(&Rational::from(&angle.n / self.n)) else { return false };
+        let x = Rational::from(&angle.x / &r);
+        self.theta = match &self.theta {
+            Theta::Zero => Theta::Over(x),
+            Theta::Over(c) => {
+                // (c + √N i)(x + √N i) = cx − N + (c + x)√N i, of an argument between 0 and 2π.
+                let (re, im) = (Rational::from(c * &x) - self.n, Rational::from(c + &x));
+                match Sign::of(im.cmp0()) {
+                    Sign::Zero => {
+                        self.half_turns += 1;
+                        Theta::Zero
+                    }
+                    Sign::Negative => {
+                        self.half_turns += 1;
+                        Theta::Over(re / im)
+                    }
+                    Sign::Positive => Theta::Over(re / im),
+                }
+            }
+        };
+        true
+    }
+
+    /// The sum divided by π; `None` iff that is irrational.
+    fn over_pi(&self) -> Option<Rational> {
+        let theta = match &self.theta {
+            Theta::Zero => Rational::new(),
+            Theta::Over(c) => {
+                let acute = acute_over_pi(&Rational::from(c.square_ref()), self.n)?;
+                if *c < 0 { Rational::from(1) - acute } else { acute }
+            }
+        };
+        Some(theta + self.half_turns)
+    }
+}
+
+/// The angle θ in (0, π/2] with cot²θ = c²/N, divided by π; `None` iff that is irrational.
+fn acute_over_pi(c_squared: &Rational, n: &Rational) -> Option<Rational> {
+    let known = |p: i64, q: i64| Rational::from((p, q));
+    // cot² is 0, 1/3, 1 or 3.
+    if c_squared.is_zero() {
+        Some(known(1, 2))
+    } else if Rational::from(c_squared * 3) == *n {
+        Some(known(1, 3))
+    } else if c_squared == n {
+        Some(known(1, 4))
+    } else if *c_squared == Rational::from(n * 3) {
+        Some(known(1, 6))
+    } else {
+        None
+    }
+}
+
+/// √q, where that is rational.
+fn square_root(q: &Rational) -> Option<Rational> {
+    let (numerator, denominator) = (q.numer(), q.denom());
+    let is_square = numerator.is_perfect_square() && denominator.is_perfect_square();
+    is_square.then(|| Rational::from((numerator.clone().sqrt(), denominator.clone().sqrt())))
+}
