@@ -19,8 +19,11 @@ pub fn shrink<S: Suite>(suite: &S, candidate: &mut dyn Candidate, question: &S::
         asked <= BUDGET
             && matches!(suite.ask(candidate, smaller), Judgement::Wrong { fault: found, .. } if found == fault)
     };
-    while let Some(smaller) = suite.smaller(&smallest).into_iter().find(&mut still_fails) {
-        smallest = smaller;
+    loop {
+        let next = suite.smaller(&smallest).find(&mut still_fails);
+        match next {
+            Some(smaller) => smallest = smaller,
+            None => return smallest,
+        }
     }
-    smallest
 }

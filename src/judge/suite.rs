@@ -63,7 +63,7 @@ pub trait Suite {
     /// How large a question is.
     fn size(&self, question: &Self::Question) -> impl Ord;
     /// Questions of the same row that are a little smaller, the most promising first.
-    fn smaller(&self, question: &Self::Question) -> Vec<Self::Question>;
+    fn smaller(&self, question: &Self::Question) -> impl Iterator<Item = Self::Question>;
     /// The record of a wrong answer; the row, the fault and the end of the command are filled in by [`super::run`].
     fn failure(&self, question: &Self::Question, evidence: Option<Self::Evidence>) -> Failure;
     /// A question as `--question` takes it.

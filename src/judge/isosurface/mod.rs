@@ -116,7 +116,7 @@ impl Suite for Isosurface {
         smaller::size(question)
     }
 
-    fn smaller(&self, question: &Question) -> Vec<Question> {
+    fn smaller(&self, question: &Question) -> impl Iterator<Item = Question> {
         smaller::smaller(question)
     }
 

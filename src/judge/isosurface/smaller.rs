@@ -14,8 +14,8 @@ pub fn size(question: &Question) -> (usize, Rational) {
 }
 
 /// Smaller questions of the same row, for single cells of the same case.
-pub fn smaller(question: &Question) -> Vec<Question> {
-    layers_off(question).into_iter().chain(values_toward_zero(question)).filter(is_of_its_row).collect()
+pub fn smaller(question: &Question) -> impl Iterator<Item = Question> {
+    layers_off(question).into_iter().chain(values_toward_zero(question)).filter(is_of_its_row)
 }
 
 /// Whether the question still belongs where it came from: not a tie unless it is one of the ties, and a

@@ -113,7 +113,7 @@ impl Suite for Mesh {
         smaller::size(question)
     }
 
-    fn smaller(&self, question: &Question) -> Vec<Question> {
+    fn smaller(&self, question: &Question) -> impl Iterator<Item = Question> {
         smaller::smaller(question)
     }
 

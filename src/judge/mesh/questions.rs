@@ -188,8 +188,9 @@ fn question(random: &mut ChaCha8Rng, row: Row, number: usize) -> Question {
         // The first few are the bases as they are, each at least once.
         Row::Sound => {
             let mesh = bases::solid(random, number);
+            let mesh = bases::moved(random, mesh);
             let listed = random.random::<bool>().then(|| listed(&mesh));
-            Question { row, mesh: bases::moved(random, mesh), listed }
+            Question { row, mesh, listed }
         }
         Row::Defect(category) => loop {
             let kind = random.random_range(0..bases::SOLIDS);

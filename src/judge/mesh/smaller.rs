@@ -2,8 +2,10 @@
 
 use super::plant::drop_unused;
 use super::questions::{Question, Row, listed};
-use super::{has_defect, truth};
+use super::truth;
 use crate::number::Rational;
+use serde_json::Value;
+use std::collections::BTreeSet;
 
 /// How large a question is: loops' vertices first, then vertices, then the size of the coordinates' numbers.
 pub fn size(question: &Question) -> (usize, usize, u64) {
@@ -14,23 +16,27 @@ pub fn size(question: &Question) -> (usize, usize, u64) {
     (sides, mesh.vertices.len() + records, mesh.vertices.iter().flat_map(|v| &v.0).map(bits).sum())
 }
 
-/// Smaller questions of the same row: those of a defect keep it.
-pub fn smaller(question: &Question) -> Vec<Question> {
-    let mut all: Vec<Question> = match question.row {
+/// Smaller questions of the same row, that have no other categories of defects than the question: so a defect is not shown
+/// by a heap of others.
+pub fn smaller(question: &Question) -> impl Iterator<Item = Question> {
+    let with_fewer = match question.row {
         Row::Planes => corners_off(question),
         _ => [faces_off(question), unlisted(question), corners_off(question)].concat(),
     };
-    all.extend(simpler_coordinates(question));
-    all.retain(|smaller| size(smaller) < size(question) && is_of_its_row(smaller));
-    all
+    let (known, most, row) = (categories(question).unwrap_or_default(), size(question), question.row);
+    with_fewer.into_iter().chain(simpler_coordinates(question)).filter(move |smaller| {
+        let keeps = |found: BTreeSet<String>| match row {
+            Row::Defect(category) => found.contains(category) && found.is_subset(&known),
+            Row::Sound | Row::Random | Row::Planes | Row::Angles => found.is_subset(&known),
+        };
+        size(smaller) < most && categories(smaller).is_some_and(keeps)
+    })
 }
 
-fn is_of_its_row(question: &Question) -> bool {
-    match question.row {
-        Row::Sound => truth(question).is_ok_and(|out| out["defects"].as_object().is_some_and(|d| d.is_empty())),
-        Row::Defect(category) => has_defect(question, category),
-        Row::Random | Row::Planes | Row::Angles => truth(question).is_ok(),
-    }
+/// The categories of its defects, none where the answer has none; `None` where it has no answer.
+fn categories(question: &Question) -> Option<BTreeSet<String>> {
+    let out = truth(question).ok()?;
+    Some(out.get("defects").and_then(Value::as_object).map(|d| d.keys().cloned().collect()).unwrap_or_default())
 }
 
 /// Without half of the faces, then without one.
