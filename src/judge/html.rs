@@ -102,7 +102,7 @@ fn summary(report: &Report) -> Markup {
         section.summary aria-label="Summary" {
             p.lead { (report.verdict_sentence()) }
             p {
-                (whole) " of the " (report.cases.len()) " cases are right throughout"
+                (whole) " of the " (report.cases.len()) @if is_about_volumes(report) { " cases" } @else { " kinds of meshes" } " are right throughout"
                 @if let Some(worst) = worst { "; the weakest row is " strong { (worst.name) } ", " (worst.pass_rate()) " % right" }
                 "."
             }
@@ -153,13 +153,14 @@ fn cases(report: &Report) -> Markup {
     let declined = report.cases.iter().any(|row| row.unsupported > 0);
     html! {
         section aria-labelledby="cases" {
-            h2 #cases { "The " (report.cases.len()) " cases" }
+            h2 #cases { "The " (report.cases.len()) @if is_about_volumes(report) { " cases" } @else { " kinds of meshes" } }
             p.note {
                 @if is_about_volumes(report) { "Single cells, by Chernyaev’s names. A filled corner is above the isovalue." }
                 @else { "Meshes that are sound, or have the defect that the row is named for, perhaps among others." }
                 " A name in bold leads to its smallest failure."
             }
-            div.columns {
+            @if !is_about_volumes(report) { (rows_table(report, "kind", &report.cases)) }
+            @else { div.columns {
                 @for rows in report.cases.chunks(report.cases.len().div_ceil(3).max(1)) {
                     table.cases {
                         thead { tr {
@@ -181,7 +182,7 @@ fn cases(report: &Report) -> Markup {
                         } }
                     }
                 }
-            }
+            } }
         }
     }
 }
@@ -191,23 +192,30 @@ fn groups(report: &Report) -> Markup {
         @if !report.groups.is_empty() {
             section aria-labelledby="groups" {
                 h2 #groups { "Other questions" }
-                div.scroll { table.groups {
-                    thead { tr {
-                        th scope="col" { "group" }
-                        th.n scope="col" { "asked" } th.n scope="col" { "right" } th.n scope="col" { "wrong" }
-                        th.n scope="col" { "broken" } th.n scope="col" { "declined" } th.n scope="col" { "% right" }
-                    } }
-                    tbody { @for row in &report.groups {
-                        tr class=(row_class(row)) {
-                            th scope="row" { (row_name(report, row)) }
-                            td.n { (count(row.asked)) } td.n { (count(row.passed)) } td.n { (count(row.wrong)) }
-                            td.n { (count(row.broken)) } td.n { (count(row.unsupported)) }
-                            td.n.rate { (row.pass_rate()) (bar(row)) }
-                        }
-                    } }
-                } }
+                (rows_table(report, "group", &report.groups))
             }
         }
+    }
+}
+
+/// A table of rows, one under the other.
+fn rows_table(report: &Report, heading: &str, rows: &[Row]) -> Markup {
+    html! {
+        div.scroll { table.groups {
+            thead { tr {
+                th scope="col" { (heading) }
+                th.n scope="col" { "asked" } th.n scope="col" { "right" } th.n scope="col" { "wrong" }
+                th.n scope="col" { "broken" } th.n scope="col" { "declined" } th.n scope="col" { "% right" }
+            } }
+            tbody { @for row in rows {
+                tr class=(row_class(row)) {
+                    th scope="row" { (row_name(report, row)) }
+                    td.n { (count(row.asked)) } td.n { (count(row.passed)) } td.n { (count(row.wrong)) }
+                    td.n { (count(row.broken)) } td.n { (count(row.unsupported)) }
+                    td.n.rate { (row.pass_rate()) (bar(row)) }
+                }
+            } }
+        } }
     }
 }
 
@@ -266,7 +274,7 @@ fn failure_card(number: usize, failure: &Failure) -> Markup {
                     (figure(question, failure.expected.as_ref(), &title("True surface"), "The true surface", "too large to draw"))
                     (figure(question, failure.found.as_ref(), &title("Candidate’s surface"), "The candidate’s", "it gave no mesh"))
                 } }
-                QuestionRecord::Other { .. } => { @if let Some(mesh) = &failure.expected {
+                QuestionRecord::Other { .. } => { @if let Some(mesh) = failure.expected.as_ref().filter(|mesh| !mesh.faces.is_empty()) {
                     div.pair { figure {
                         (picture(&svg::surface_picture(&mesh.vertices, &mesh.faces, 320)))
                         figcaption { "The mesh of the question" }

@@ -1,7 +1,7 @@
 //! The meshes that questions begin with.
 
 use crate::linear::Vector;
-use crate::mesh::examples::{cube, mesh, tetrahedron};
+use crate::mesh::examples::{cube, mesh, point, tetrahedron};
 use crate::mesh::face::Face;
 use crate::mesh::vertex_list::{Point, VertexList};
 use crate::number::Rational;
@@ -91,17 +91,10 @@ pub fn projective_plane() -> VertexList {
 /// The second mesh set beside the first, in the direction of x.
 pub fn beside(first: &VertexList, second: &VertexList) -> VertexList {
     let mut both = first.clone();
-    append(&mut both, second, [20, 0, 0]);
+    let count = first.vertices.len() as u32;
+    both.vertices.extend(second.vertices.iter().map(|v| v.clone() + &point([20, 0, 0])));
+    both.faces.extend(second.faces.iter().map(|face| renumbered(face, |v| v + count)));
     both
-}
-
-/// Appends a mesh, moved by a vector; returns the number of its first vertex.
-pub fn append(mesh: &mut VertexList, other: &VertexList, by: [i64; 3]) -> u32 {
-    let first = mesh.vertices.len() as u32;
-    let by = crate::mesh::examples::point(by);
-    mesh.vertices.extend(other.vertices.iter().map(|v| v.clone() + &by));
-    mesh.faces.extend(other.faces.iter().map(|face| renumbered(face, |v| v + first)));
-    first
 }
 
 /// A face with other vertex numbers.

@@ -149,7 +149,7 @@ fn picture(question: &Question) -> SurfaceRecord {
     let fans = loops.flat_map(|l| (1..l.len().saturating_sub(1)).map(|i| [l[0], l[i], l[i + 1]]));
     SurfaceRecord {
         vertices: question.mesh.vertices.iter().map(|v| v.0.each_ref().map(nearest_f64)).collect(),
-        faces: fans.filter(|triangle| triangle.iter().all(|v| *v < count)).collect(),
+        faces: fans.filter(|[a, b, c]| a != b && b != c && c != a && a.max(b).max(c) < &count).collect(),
     }
 }
 

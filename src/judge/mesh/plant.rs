@@ -1,10 +1,10 @@
 //! Planting a defect in a sound mesh. Others may come with it; whether it is there is the oracle's to say.
 
-use super::bases::{append, beside, projective_plane};
+use super::bases::{beside, projective_plane};
 use super::questions::Question;
 use crate::linear::Vector;
 use crate::mesh::defects::ListedEdges;
-use crate::mesh::examples::tetrahedron;
+use crate::mesh::examples::point;
 use crate::mesh::face::Face;
 use crate::mesh::vertex_list::{Point, VertexList};
 use crate::number::Rational;
@@ -69,17 +69,10 @@ pub fn plant(random: &mut ChaCha8Rng, question: &mut Question, category: &str) {
         }
         "zero_signed_area_face" | "self_crossing_loop" => mesh.faces[f].outer.swap(i, (i + 1) % length),
         "nonmanifold_vertex" => {
-            // A tetrahedron that shares a vertex.
-            let first = append(mesh, &tetrahedron(), [30, 0, 0]);
-            let faces = mesh.faces.len();
-            for face in &mut mesh.faces[faces - 4..] {
-                face.outer.iter_mut().filter(|v| **v == first).for_each(|v| *v = a);
-            }
-            mesh.vertices.remove(first as usize);
-            mesh.faces[faces - 4..]
-                .iter_mut()
-                .flat_map(|face| &mut face.outer)
-                .for_each(|v| *v -= u32::from(*v > first));
+            // A tetrahedron at a vertex that it shares.
+            let tips = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|tip| point(tip) + &mesh.vertices[a as usize]);
+            let [b, c, d] = tips.map(|tip| add(mesh, tip));
+            mesh.faces.extend([[a, c, b], [a, b, d], [b, c, d], [a, d, c]].map(Face::from));
         }
         "non_orientable" => {
             let plane = projective_plane();
