@@ -241,7 +241,7 @@ mod me_506 {
         };
         let mut rays: Vec<[Rational; 2]> = (0..=count).map(ray).collect();
         // Slopes are of no order: sort by cot.
-        rays.sort_by_key(|[x, y]| Rational::from(-x.clone() / y));
+        rays.sort_by_key(|[x, y]| -x.clone() / y);
         rays.dedup_by_key(|[x, y]| Rational::from(&*x / &*y));
         let opposite: Vec<[Rational; 2]> = rays.iter().map(|[x, y]| [-x.clone(), -y.clone()]).collect();
         let around = [&rays[..], &opposite, &rays[..1]].concat();

@@ -35,7 +35,7 @@ pub fn multiple_of_pi(angles: &[CornerAngle]) -> Option<Rational> {
         rest.retain(|angle| match square_root(&Rational::from(&angle.n / n)) {
             // x + √(r²N) i has the direction of x/r + √N i.
             Some(r) => {
-                of_class.push(Rational::from(&angle.x / r));
+                of_class.push(&angle.x / r);
                 false
             }
             None => true,
