@@ -256,6 +256,12 @@ mod me_506 {
     }
 
     #[test]
+    #[should_panic(expected = "N > 0")]
+    fn a_flat_direction_is_no_angle() {
+        multiple_of_pi(&[angle(1, 2), angle(1, 3), angle(1, 0)]);
+    }
+
+    #[test]
     fn corners_of_solids_and_tilings() {
         let many = |n: usize, a: CornerAngle| vec![a; n];
         assert_eq!(multiple_of_pi(&[]), Some(q(0, 1)));

@@ -26,11 +26,11 @@ pub fn multiple_of_pi(angles: &[CornerAngle]) -> Option<Rational> {
     //
     // A quadratic field ℚ(√−N) has the roots of unity ±1, with ±i if N is a square, and those of order 6 if 3N is:
     // Θ is a multiple of π/2, of π/4, of π/6.
+    assert!(angles.iter().all(|angle| angle.n > 0), "the direction of an angle in (0, π) has N > 0");
     let mut rest: Vec<&CornerAngle> = angles.iter().collect();
     let mut sum = Rational::new();
     while let Some(first) = rest.first() {
         let n = &first.n;
-        assert!(*n > 0, "the direction of an angle in (0, π) has N > 0");
         let mut of_class = Vec::new();
         rest.retain(|angle| match square_root(&Rational::from(&angle.n / n)) {
             // x + √(r²N) i has the direction of x/r + √N i.
