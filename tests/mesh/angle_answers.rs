@@ -75,6 +75,13 @@ fn a_corner_of_the_cube_with_its_border_and_a_vertex_of_no_triangle() {
 }
 
 #[test]
+fn an_obtuse_angle_has_a_negative_cosine() {
+    let out = out(&json!({"vertices": [[0, 0, 0], [1, 0, 0], [-1, "1/2", 0]], "faces": [[1, 0, 2]]}));
+    assert_eq!(out["angles"][0], json!([{"triangle": 0, "cos_sign": -1, "cos_squared": "4/5"}]));
+    assert_eq!(out["angles"][1], json!([{"triangle": 0, "cos_sign": 1, "cos_squared": "16/17"}]));
+}
+
+#[test]
 fn enclosures_are_as_narrow_as_asked_for_and_0_is_0() {
     let fan = |digits: Value| {
         out(&json!({
@@ -158,7 +165,12 @@ proptest! {
                     let [lo, hi] = bounds(&out["deficits"][v]);
                     let (low, high) = mesh.curvature(v as u32).enclosure(300).bounds().expect("finite");
                     prop_assert!(lo <= high && low <= hi && hi - lo <= Rational::from((1, 1_i64 << 62)));
-                    prop_assert_eq!(out["angles"][v].as_array().map(Vec::len), Some(mesh.corners(v as u32).len()));
+                    let curvature = mesh.curvature(v as u32);
+                    let angles = mesh.corners(v as u32).iter().zip(&curvature.angles).map(|(corner, angle)| {
+                        let squared = angle.cos_squared().to_string();
+                        json!({"triangle": corner.triangle, "cos_sign": angle.cos_sign().value(), "cos_squared": squared})
+                    });
+                    prop_assert_eq!(&out["angles"][v], &Value::from(angles.collect::<Vec<_>>()));
                     match mesh.curvature(v as u32).over_pi() {
                         Some(multiple) => prop_assert_eq!(exact(&out["over_pi"][v]), multiple),
                         None => prop_assert!(out["over_pi"][v].is_null()),

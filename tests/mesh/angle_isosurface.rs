@@ -3,8 +3,8 @@
 
 use isoracle::format::{Limits, nrrd};
 use isoracle::isosurface::cell::Tie;
+use isoracle::isosurface::fast;
 use isoracle::isosurface::volume::{Level, Volume};
-use isoracle::isosurface::{mesh, topology};
 use isoracle::linear::Vector;
 use isoracle::mesh::angle_deficit::{AngleError, AngleMesh, GaussBonnet};
 use isoracle::mesh::triangles::{boundary_edges, components};
@@ -19,10 +19,10 @@ fn head() -> Volume {
 fn surface(isovalue: Rational) -> (AngleMesh, Vec<[u32; 3]>, i64) {
     let volume = head();
     let level = Level { volume: &volume, isovalue, tie: Tie::Below };
-    let surface = mesh::extract(&level).expect("ties are broken");
+    let surface = fast::extract(&level).expect("ties are broken");
     let positions = surface.vertices.iter().map(|v| Vector(level.position(v))).collect();
     let mesh = AngleMesh::new(positions, surface.triangles.clone()).expect("no triangle is degenerate");
-    (mesh, surface.triangles, topology::topology(&level).expect("ties are broken").chi())
+    (mesh, surface.triangles, fast::topology(&level).expect("ties are broken").chi())
 }
 
 /// No sample is 127/2, so no two vertices coincide; one saddle of a face is, and counts as if it were less.

@@ -76,15 +76,22 @@ mod me_505 {
             prop_assert_eq!(half_turns(&[a.clone(), b.clone(), c.clone()]), None);
             prop_assert_ne!(multiple_of_pi(&[a, b, c]), Some(q(1, 1)));
         }
+    }
 
-        #[test]
-        fn three_directions_of_one_radicand_sum_up_to_what_their_enclosures_say(
-            x in prop::array::uniform3(-6_i64..=6), n in 1_i64..=12
-        ) {
+    #[test]
+    fn three_directions_of_one_radicand_sum_up_to_what_their_enclosures_say() {
+        let (mut once, mut twice) = (0, 0);
+        let triples = (-6..=6).flat_map(|a| (a..=6).flat_map(move |b| (b..=6).map(move |c| [a, b, c])));
+        for (x, n) in triples.flat_map(|x| (1..=12).map(move |n| (x, n))) {
             let angles = x.map(|x| angle(x, n));
             let near = near_integer(&sum_of_enclosures(&angles));
-            prop_assert_eq!(half_turns(&angles).map(Rational::from), near);
+            let found = half_turns(&angles);
+            assert_eq!(found.map(Rational::from), near, "{x:?}, {n}");
+            once += u32::from(found == Some(1));
+            twice += u32::from(found == Some(2));
         }
+        assert_eq!(once, twice, "the supplements of three angles that sum up to π sum up to 2π");
+        assert!(once > 20, "{once}");
     }
 }
 
@@ -220,6 +227,38 @@ mod me_506 {
         for (p, r) in (-6..=6).flat_map(|p| (-3..=3).map(move |r| (p, r))) {
             assert_eq!(machin(&[(p, 2), (r, 7)]).is_some(), p + 2 * r == 0, "{p}, {r}");
         }
+    }
+
+    /// A flat disc of many thin triangles that stand in any order: sums on the way are numbers of many digits.
+    #[test]
+    fn a_full_turn_of_many_angles_in_any_order_is_found() {
+        let count = if is_long() { 20_000 } else { 1_000 };
+        let ray = |k: i64| [q(count - 2 * k, 1), q(k * k % 97 + 1, 1)];
+        // Rays above the axis, from right to left, and those opposite: count angles, and count more, of a full turn.
+        let between = |[a, b]: [Rational; 2], [c, d]: [Rational; 2]| {
+            let x = Rational::from(&a * &c) + Rational::from(&b * &d);
+            CornerAngle { x, n: (a * d - b * c).square() }
+        };
+        let mut rays: Vec<[Rational; 2]> = (0..=count).map(ray).collect();
+        // Slopes are of no order: sort by cot.
+        rays.sort_by_key(|[x, y]| -x.clone() / y);
+        rays.dedup_by_key(|[x, y]| Rational::from(&*x / &*y));
+        let opposite: Vec<[Rational; 2]> = rays.iter().map(|[x, y]| [-x.clone(), -y.clone()]).collect();
+        let around = [&rays[..], &opposite, &rays[..1]].concat();
+        let mut angles: Vec<CornerAngle> = around.windows(2).map(|w| between(w[0].clone(), w[1].clone())).collect();
+        let n = angles.len();
+        assert!(n > count as usize);
+        for i in 0..n {
+            angles.swap(i, i * 7919 % n);
+        }
+        assert_eq!(multiple_of_pi(&angles), Some(q(2, 1)));
+        assert_ne!(multiple_of_pi(&angles[1..]), Some(q(2, 1)));
+    }
+
+    #[test]
+    #[should_panic(expected = "N > 0")]
+    fn a_flat_direction_is_no_angle() {
+        multiple_of_pi(&[angle(1, 2), angle(1, 3), angle(1, 0)]);
     }
 
     #[test]

@@ -16,6 +16,7 @@ fn nearly_a_question() -> impl Strategy<Value = Vec<u8>> {
         r#"{"id":2,"op":"isosurface.mesh","in":{"volume":{"shape":[2,2,2],"values":[1,-2,3,-4,5,-6,7,-8]},"isovalue":-0.5}}"#,
         r#"{"id":3,"op":"isosurface.polyline","in":{"shape":[3,2],"values":[1,-2,3,-4,5,-6],"isovalue":0,"method":"squares"}}"#,
         r#"{"id":4,"op":"trilinear.evaluate","in":{"values":[1,2,3,4,5,6,7,9],"points":[[0.5,"1/2",0]]}}"#,
+        r#"{"id":5,"op":"mesh.angle_deficits","in":{"vertices":[[0,0,0],[1,0,0],["1/3",1,0],[0,0.5,1]],"faces":[[0,1,2],[3,0,1]]}}"#,
     ]);
     let byte = prop_oneof![3 => prop::sample::select(b"{}[]\":,0123456789.-+eE/xNI\\ ntfu".to_vec()), 1 => any::<u8>()];
     let change = (any::<prop::sample::Index>(), byte, 0..4_u8);

@@ -67,6 +67,7 @@ fn hello_names_the_oracle_and_its_operations() {
         "trilinear.evaluate",
         "mesh.check",
         "mesh.plane",
+        "mesh.angle_deficits",
     ];
     assert_eq!(out["ops"], json!(ops));
     for op in ops {

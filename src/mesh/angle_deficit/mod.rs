@@ -13,7 +13,7 @@ mod polygon;
 pub use curvature::Curvature;
 pub use direction::{CornerAngle, half_turns};
 pub use multiple_of_pi::multiple_of_pi;
-pub use polygon::{PolygonAngle, PolygonAngleMesh, PolygonError, turning_number};
+pub use polygon::{PolygonAngle, PolygonAngleMesh, PolygonError};
 
 use super::face::{edge, sides};
 use super::triangles::{EdgeKey, Triangle};

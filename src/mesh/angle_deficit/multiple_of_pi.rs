@@ -26,21 +26,29 @@ pub fn multiple_of_pi(angles: &[CornerAngle]) -> Option<Rational> {
     //
     // A quadratic field ℚ(√−N) has the roots of unity ±1, with ±i if N is a square, and those of order 6 if 3N is:
     // Θ is a multiple of π/2, of π/4, of π/6.
+    assert!(angles.iter().all(|angle| angle.n > 0), "the direction of an angle in (0, π) has N > 0");
     let mut rest: Vec<&CornerAngle> = angles.iter().collect();
     let mut sum = Rational::new();
     while let Some(first) = rest.first() {
-        let mut of_class = AngleSum::zero(&first.n);
-        rest.retain(|angle| !of_class.add(angle));
-        sum += of_class.over_pi()?;
+        let n = &first.n;
+        let mut of_class = Vec::new();
+        rest.retain(|angle| match square_root(&Rational::from(&angle.n / n)) {
+            // x + √(r²N) i has the direction of x/r + √N i.
+            Some(r) => {
+                of_class.push(&angle.x / r);
+                false
+            }
+            None => true,
+        });
+        sum += AngleSum::of(&of_class, n).over_pi(n)?;
     }
     Some(sum)
 }
 
-/// The sum half_turns·π + θ, 0 ≤ θ < π, of angles whose radicands are of one class.
-struct AngleSum<'a> {
+/// The sum half_turns·π + θ, 0 ≤ θ < π, of angles of directions x + √N i with one N.
+struct AngleSum {
     half_turns: i64,
     theta: Theta,
-    n: &'a Rational,
 }
 
 /// An angle in [0, π).
@@ -50,44 +58,40 @@ enum Theta {
     Over(Rational),
 }
 
-impl<'a> AngleSum<'a> {
-    fn zero(n: &'a Rational) -> AngleSum<'a> {
-        assert!(*n > 0, "the direction of an angle in (0, π) has N > 0");
-        AngleSum { half_turns: 0, theta: Theta::Zero, n }
+impl AngleSum {
+    /// The sum of the angles of x + √N i, by halves: many numbers of one size cost less than one that grows.
+    fn of(directions: &[Rational], n: &Rational) -> AngleSum {
+        match directions {
+            [] => AngleSum { half_turns: 0, theta: Theta::Zero },
+            [x] => AngleSum { half_turns: 0, theta: Theta::Over(x.clone()) },
+            _ => {
+                let (left, right) = directions.split_at(directions.len() / 2);
+                AngleSum::of(left, n).plus(AngleSum::of(right, n), n)
+            }
+        }
     }
 
-    /// Adds an angle; `false` iff its radicand is of another class, for then nothing is added.
-    fn add(&mut self, angle: &CornerAngle) -> bool {
-        // x + √(r²N) i has the direction of x/r + √N i.
-        let Some(r) = square_root(&Rational::from(&angle.n / self.n)) else { return false };
-        let x = Rational::from(&angle.x / &r);
-        self.theta = match &self.theta {
-            Theta::Zero => Theta::Over(x),
-            Theta::Over(c) => {
-                // (c + √N i)(x + √N i) = cx − N + (c + x)√N i, of an argument between 0 and 2π.
-                let (re, im) = (Rational::from(c * &x) - self.n, Rational::from(c + &x));
-                match Sign::of(im.cmp0()) {
-                    Sign::Zero => {
-                        self.half_turns += 1;
-                        Theta::Zero
-                    }
-                    Sign::Negative => {
-                        self.half_turns += 1;
-                        Theta::Over(re / im)
-                    }
-                    Sign::Positive => Theta::Over(re / im),
-                }
-            }
+    fn plus(self, other: AngleSum, n: &Rational) -> AngleSum {
+        let half_turns = self.half_turns + other.half_turns;
+        let (c, d) = match (self.theta, other.theta) {
+            (Theta::Zero, theta) | (theta, Theta::Zero) => return AngleSum { half_turns, theta },
+            (Theta::Over(c), Theta::Over(d)) => (c, d),
         };
-        true
+        // (c + √N i)(d + √N i) = cd − N + (c + d)√N i, of an argument between 0 and 2π.
+        let (re, im) = (Rational::from(&c * &d) - n, c + d);
+        match Sign::of(im.cmp0()) {
+            Sign::Positive => AngleSum { half_turns, theta: Theta::Over(re / im) },
+            Sign::Zero => AngleSum { half_turns: half_turns + 1, theta: Theta::Zero },
+            Sign::Negative => AngleSum { half_turns: half_turns + 1, theta: Theta::Over(re / im) },
+        }
     }
 
     /// The sum divided by π; `None` iff that is irrational.
-    fn over_pi(&self) -> Option<Rational> {
+    fn over_pi(&self, n: &Rational) -> Option<Rational> {
         let theta = match &self.theta {
             Theta::Zero => Rational::new(),
             Theta::Over(c) => {
-                let acute = acute_over_pi(&Rational::from(c.square_ref()), self.n)?;
+                let acute = acute_over_pi(&Rational::from(c.square_ref()), n)?;
                 if *c < 0 { Rational::from(1) - acute } else { acute }
             }
         };

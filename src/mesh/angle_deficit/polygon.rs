@@ -201,10 +201,7 @@ fn left_angle(from: &Point, to: &Point, normal: &Point) -> Option<PolygonAngle> 
 
 /// How many times a closed loop of a plane turns to the left, by its left angles: they sum up to (n − 2·turns)π, each being
 /// π less what the loop turns there.
-///
-/// # Panics
-/// Iff the angles are not those of a closed loop.
-pub fn turning_number(left_angles: &[PolygonAngle]) -> i64 {
+fn turning_number(left_angles: &[PolygonAngle]) -> i64 {
     let (half_turns, rests): (Vec<i64>, Vec<Option<&CornerAngle>>) =
         left_angles.iter().map(PolygonAngle::parts).unzip();
     let rests: Vec<CornerAngle> = rests.into_iter().flatten().cloned().collect();
