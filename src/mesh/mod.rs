@@ -3,6 +3,7 @@
 
 pub mod angle_deficit;
 pub mod cells;
+pub mod euler_operators;
 pub mod examples;
 pub mod face;
 pub mod realisation;
