@@ -11,8 +11,8 @@ const CHECKED: &str = "checked before anything is changed";
 
 impl Boundary {
     /// Applies an operator, and returns the one that undoes it: applied in turn it restores this boundary, to the names,
-    /// and returns the first one. Time is that of walking along the loops and around the vertices that it names, and for
-    /// operators on shells around a shell.
+    /// and returns the first one. It takes the time to walk along the loops and around the vertices that it names, and
+    /// kvfs, mfkrh, ksfmr and msfkr that to walk over all faces.
     ///
     /// # Errors
     /// Iff a precondition is not met; the boundary is as it was.
@@ -69,13 +69,13 @@ impl Boundary {
         let (v, at_x, at_y) = match span {
             Span::NothingAt(corner) => self.corner(corner).map(|(v, l)| (v, l, l))?,
             Span::AllFrom(a) => self.corner(Corner::Before(a)).map(|(v, l)| (v, l, l))?,
+            Span::Between(a, b) if a == b => return Err(Refused::EmptySpan(a)),
             Span::Between(a, b) => {
                 let ((v, at_a), (w, at_b)) = (self.corner(Corner::Before(a))?, self.corner(Corner::Before(b))?);
-                match () {
-                    () if a == b => return Err(Refused::EmptySpan(a)),
-                    () if v != w => return Err(Refused::TwoVertices(a, b)),
-                    () => (v, at_a, at_b),
+                if v != w {
+                    return Err(Refused::TwoVertices(a, b));
                 }
+                (v, at_a, at_b)
             }
         };
         self.free(Name::HalfEdge(x))?;
@@ -138,13 +138,13 @@ impl Boundary {
         let (v, w, l) = match span {
             Span::NothingAt(corner) => self.corner(corner).map(|(v, l)| (v, v, l))?,
             Span::AllFrom(a) => self.corner(Corner::Before(a)).map(|(v, l)| (v, v, l))?,
+            Span::Between(a, b) if a == b => return Err(Refused::EmptySpan(a)),
             Span::Between(a, b) => {
                 let ((v, l), (w, m)) = (self.corner(Corner::Before(a))?, self.corner(Corner::Before(b))?);
-                match () {
-                    () if a == b => return Err(Refused::EmptySpan(a)),
-                    () if l != m => return Err(Refused::TwoLoops(a, b)),
-                    () => (v, w, l),
+                if l != m {
+                    return Err(Refused::TwoLoops(a, b));
                 }
+                (v, w, l)
             }
         };
         for name in [Name::HalfEdge(x), Name::Loop(outer), Name::Face(face)] {
@@ -356,11 +356,13 @@ impl Boundary {
     fn two_faces(&self, face: FaceId, into: FaceId) -> Result<[ShellId; 2], Refused> {
         self.there(Name::Face(face))?;
         self.there(Name::Face(into))?;
-        match () {
-            () if face == into => Err(Refused::OneFace(face)),
-            () if !self.faces[&face].rings.is_empty() => Err(Refused::HasRings(face)),
-            () => Ok([self.faces[&face].shell, self.faces[&into].shell]),
+        if face == into {
+            return Err(Refused::OneFace(face));
         }
+        if !self.faces[&face].rings.is_empty() {
+            return Err(Refused::HasRings(face));
+        }
+        Ok([self.faces[&face].shell, self.faces[&into].shell])
     }
 
     fn face_with_ring(&self, ring: LoopId) -> Result<FaceId, Refused> {
@@ -377,14 +379,15 @@ impl Boundary {
             for h in &self.loops[&l].half_edges {
                 let beyond = self.half_edges[&h.mate()].loop_;
                 let face = self.loops[&beyond].face;
-                match () {
-                    () if beyond == ring => {}
-                    () if face == from => return None,
-                    () if part.insert(face) => {
-                        pending.push(self.faces[&face].outer);
-                        pending.extend(&self.faces[&face].rings);
-                    }
-                    () => {}
+                if beyond == ring {
+                    continue;
+                }
+                if face == from {
+                    return None;
+                }
+                if part.insert(face) {
+                    pending.push(self.faces[&face].outer);
+                    pending.extend(&self.faces[&face].rings);
                 }
             }
         }

@@ -27,9 +27,8 @@ pub fn replay(operators: &[Operator]) -> Result<Boundary, RefusedStep> {
     Ok(boundary)
 }
 
-/// Operators that build a boundary from nothing, to the names: first each shell as a vertex and a face, then handles, all
-/// its vertices, all its edges between faces, and last the rings (ME-408). They are mvfs, mef, kfmrh, mekr, mev, kemr, and
-/// mvfs stands there C times, kfmrh G times. The steps are some 2(E + H), and the time some n log n, and G² for handles.
+/// Operators that build a boundary from nothing, to the names (ME-408): C mvfs; G times mef, kfmrh and mekr, for the
+/// handles; V − C mev; F − C mef; and H kemr, for the rings. These are C + G + E + 2H steps.
 #[doc(alias = "ME-408")]
 pub fn construction(boundary: &Boundary) -> Vec<Operator> {
     let mut taken_apart = TakenApart { left: boundary.clone(), undone_by: Vec::new() };

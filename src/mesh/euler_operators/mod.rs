@@ -5,6 +5,17 @@
 //! shell is a closed oriented surface, and V − E + F − H = 2(C − G) with H the loops but the outer ones.
 //!
 //! An operator names what it makes, so that it has one exact inverse, which [`Boundary::apply`] hands back.
+//!
+//! ```
+//! use isoracle::mesh::euler_operators::{Boundary, construction, replay};
+//! use isoracle::mesh::examples::cube;
+//!
+//! let cube = Boundary::try_from(&cube().faces[..])?;
+//! let operators = construction(&cube);
+//! assert_eq!(operators.len(), 13); // mvfs, 7 mev, 5 mef
+//! assert_eq!(replay(&operators)?, cube);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod apply;
 mod boundary;

@@ -69,6 +69,9 @@ mod me_408 {
             assert_eq!(code(&Words::of(&built)), code(&Words::of(&boundary)), "{}", mesh.name);
             let polygons = built.polygons();
             assert!(polygons.iter().map(turned).eq(mesh.faces.iter().map(turned)), "{}", mesh.name);
+            let [v, e, f, h, c, g] = mesh.counts;
+            assert_eq!(uses(&operators), [c, v - c, f - c + g, h, g, g], "{}", mesh.name);
+            assert_eq!(operators.len() as i64, c + g + e + 2 * h, "{}", mesh.name);
             let [mvfs, mev, mef, kemr, kfmrh, mekr] = uses(&operators).map(i128::from);
             assert_eq!(counts(mesh.counts).in_basis(), Some([mvfs, mev, mef, kemr - mekr, kfmrh]), "{}", mesh.name);
         }

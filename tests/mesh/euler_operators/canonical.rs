@@ -112,10 +112,10 @@ impl Walker<'_> {
             };
             code.extend([next, mate, 2 * face + u32::from(l == 0)]);
         }
-        match () {
-            () if self.times > 0 && code > self.best => {}
-            () if self.times > 0 && code == self.best => self.times += 1,
-            () => (self.best, self.times) = (code, 1),
+        if self.times > 0 && code == self.best {
+            self.times += 1;
+        } else if self.times == 0 || code < self.best {
+            (self.best, self.times) = (code, 1);
         }
     }
 }

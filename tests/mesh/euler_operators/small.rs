@@ -1,6 +1,8 @@
 //! Every small boundary.
 
+use super::building::boundary_of;
 use super::canonical::{betti, code, symmetries};
+use super::meshes::mesh;
 use super::states::{KINDS, Limit, States, boundary, cycles, enumerated, is_long, operators_of, permutations, reached};
 use super::words::{Words, applied};
 use isoracle::mesh::euler_operators::{Boundary, Counts, Operator, Scope, construction, replay};
@@ -48,6 +50,15 @@ mod me_401 {
 
 mod me_402 {
     use super::*;
+
+    /// One part of space with two shells.
+    #[test]
+    fn a_cavity_is_a_component_of_its_own() {
+        let counts = by_homology(&boundary_of(&mesh("cube with a cavity")));
+        assert_eq!((counts.euler_number(), counts.c, counts.g), (4, 2, 0));
+        let printed = Counts { c: 1, ..counts };
+        assert_eq!((counts.balance(), printed.balance()), (0, 2));
+    }
 
     #[test]
     fn every_small_boundary_is_balanced_and_its_genus_is_that_of_homology() {
