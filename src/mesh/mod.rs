@@ -4,6 +4,7 @@
 pub mod angle_deficit;
 pub mod cells;
 pub mod defects;
+pub mod euler_operators;
 pub mod examples;
 pub mod face;
 pub mod plane;

@@ -5,4 +5,5 @@ mod angle_complexes;
 mod angle_isosurface;
 mod angle_multiples;
 mod angle_polygons;
+mod euler_operators;
 mod examples;
