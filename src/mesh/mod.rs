@@ -3,10 +3,17 @@
 
 pub mod angle_deficit;
 pub mod cells;
+pub mod convert;
+pub mod edge_list;
 pub mod examples;
+pub mod explicit;
 pub mod face;
+pub mod half_edge;
+pub mod operations;
+pub mod printed;
 pub mod realisation;
 pub mod simplicial;
 pub mod triangles;
 pub mod vertex_list;
 pub mod weld;
+pub mod winged_edge;
