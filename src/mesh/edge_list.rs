@@ -147,6 +147,16 @@ fn walk(ends: &[[u32; 2]], start: u32) -> Option<Vec<u32>> {
     (at == start).then_some(vertices)
 }
 
+/// The first edge that names a missing vertex.
+fn check_ends(ends: &[[u32; 2]], vertices: usize) -> Result<(), EdgeListError> {
+    for (number, ends) in ends.iter().enumerate() {
+        if let Some(&vertex) = ends.iter().find(|v| **v as usize >= vertices) {
+            return Err(EdgeListError::VertexOutOfRange { edge: EdgeId::of(number), vertex });
+        }
+    }
+    Ok(())
+}
+
 impl EdgeList {
     /// The edge list of these vertices, edges by their ends, and faces by their sides. A side of an edge whose ends are
     /// one vertex is made a forward one.
@@ -158,11 +168,7 @@ impl EdgeList {
         ends: Vec<[u32; 2]>,
         faces: Vec<Polygon<Side>>,
     ) -> Result<EdgeList, EdgeListError> {
-        for (number, ends) in ends.iter().enumerate() {
-            if let Some(&vertex) = ends.iter().find(|v| **v as usize >= vertices.len()) {
-                return Err(EdgeListError::VertexOutOfRange { edge: EdgeId::of(number), vertex });
-            }
-        }
+        check_ends(&ends, vertices.len())?;
         let edges = ends.into_iter().map(|ends| Edge { ends, faces: Vec::new() }).collect();
         let mut list = EdgeList { vertices, edges, faces: Vec::with_capacity(faces.len()) };
         for (face, polygon) in faces.into_iter().enumerate() {
@@ -269,6 +275,7 @@ impl TryFrom<&EdgeRecords> for EdgeList {
     /// stands there, do not matter.
     fn try_from(records: &EdgeRecords) -> Result<EdgeList, EdgeListError> {
         let ends: Vec<[u32; 2]> = records.edges.iter().map(|edge| edge.ends).collect();
+        check_ends(&ends, records.vertices.len())?;
         let directed = |face: usize, polygon: &Polygon<u32>| {
             polygon.try_map(|loop_number, edges| {
                 let known = |edge: &u32| {

@@ -1,3 +1,7 @@
 //! Polygon meshes: each entry of spec/mesh.md against a second derivation.
 
 mod examples;
+mod loops;
+mod meshes;
+mod representations;
+mod winged_edge;
