@@ -2,8 +2,9 @@
 //!
 //! A *read* is one of: a position; an item of a list (a polygon's corner or side, an edge's polygon, a vertex's edge);
 //! the record of an edge, of a half-edge, or of a vertex that has more than a position. With S corners, V vertices,
-//! E edges; at the vertex d edges; the edge used k times; the polygon with n sides; Σk over the edges at the vertex, or of
-//! the polygon. On a closed manifold without holes (for the last two structures, f fans at the vertex, l loops):
+//! E edges; at the vertex d edges in f fans; the edge used k times; the polygon, or all polygons, with n sides and l loops;
+//! Σk over the edges at the vertex, or of the polygon; Σf over all vertices; where no edge is without polygon and no side
+//! runs from a vertex to itself:
 //!
 //! | | explicit | vertex list | edge list | winged edge | half-edge |
 //! |---|---|---|---|---|---|
@@ -16,7 +17,7 @@
 //! | polygons beside a polygon | n + S | n + S | 2n + Σk | 2n | l + 2n |
 //! | move a vertex | S | 1 | 1 | 1 | 1 |
 //! | edges used once | S | S | E | E | 2E |
-//! | vertices without polygon | 0 | S | E | V + 2E·2 | ≥ 2V |
+//! | vertices without polygon | 0 | S | E | V + 4E | Σf + 4E |
 //!
 //! An operation is *explicit* where its reads depend on the size of its answer only, not on that of the mesh.
 

@@ -237,7 +237,7 @@ mod me_238 {
         let edge = EdgeId(3);
         assert_eq!(error(|r| r.edges[3].ends[1] = 8), EdgeListError::VertexOutOfRange { edge, vertex: 8 });
         assert_eq!(error(|r| r.edges[3].faces.truncate(1)), EdgeListError::NotReciprocal { edge });
-        assert_eq!(error(|r| r.edges[3].faces.push(2)), EdgeListError::NotReciprocal { edge });
+        assert_eq!(error(|r| r.edges[3].faces.push(5)), EdgeListError::NotReciprocal { edge });
         assert_eq!(error(|r| r.faces[5].outer[2] = 12), EdgeListError::EdgeOutOfRange { face: 5, edge: EdgeId(12) });
         assert_eq!(error(|r| r.faces[5].outer.swap(0, 1)), EdgeListError::Open { face: 5, loop_number: 0 });
         assert_eq!(error(|r| r.faces[5].holes.push(vec![0])), EdgeListError::Open { face: 5, loop_number: 1 });
