@@ -57,11 +57,11 @@ fn check(list: &VertexList) -> Result<(), MissingVertex> {
 }
 
 impl From<&ExplicitList> for VertexList {
-    /// Each position once (ME-208), and polygons by the numbers of their vertices (ME-209, ME-210).
-    #[doc(alias = "ME-208")]
+    /// Each position once (ME-209), and polygons by the numbers of their vertices (ME-210, ME-212).
     #[doc(alias = "ME-209")]
     #[doc(alias = "ME-210")]
-    #[doc(alias = "ME-239")]
+    #[doc(alias = "ME-212")]
+    #[doc(alias = "ME-241")]
     fn from(list: &ExplicitList) -> VertexList {
         let mut numbers: HashMap<&Point, u32> = HashMap::new();
         let mut vertices: Vec<Point> = Vec::new();
@@ -103,7 +103,7 @@ impl TryFrom<&VertexList> for EdgeList {
     type Error = MissingVertex;
 
     /// The edge list with one edge for each pair of vertices that a side joins. Errors: the first vertex that does not exist.
-    #[doc(alias = "ME-238")]
+    #[doc(alias = "ME-240")]
     fn try_from(list: &VertexList) -> Result<EdgeList, MissingVertex> {
         check(list)?;
         let mut numbers: HashMap<EdgeKey, EdgeId> = HashMap::new();

@@ -46,10 +46,10 @@ impl Side {
     }
 }
 
-/// The record of an edge, Aⱼ = [Vₒ, Vₚ], P_q, …, P_t (ME-217). Its ends are in an order, which is the direction in
+/// The record of an edge, Aⱼ = [Vₒ, Vₚ], P_q, …, P_t (ME-219). Its ends are in an order, which is the direction in
 /// which its sides run forward.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[doc(alias = "ME-217")]
+#[doc(alias = "ME-219")]
 pub struct Edge {
     /// Its vertices.
     pub ends: [u32; 2],
@@ -59,14 +59,14 @@ pub struct Edge {
 
 /// The edge list as the text has it: numbers, of which nothing is promised.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-#[doc(alias = "ME-215")]
-#[doc(alias = "ME-218")]
+#[doc(alias = "ME-217")]
+#[doc(alias = "ME-220")]
 pub struct EdgeRecords {
-    /// V₁, …, Vₙ (ME-215).
+    /// V₁, …, Vₙ (ME-217).
     pub vertices: Vec<Point>,
-    /// A₁, …, Aₘ (ME-216).
+    /// A₁, …, Aₘ (ME-218).
     pub edges: Vec<Edge>,
-    /// P₁, …, each loop by the numbers of its edges in order, without their directions (ME-218, ME-219).
+    /// P₁, …, each loop by the numbers of its edges in order, without their directions (ME-220, ME-221).
     pub faces: Vec<Polygon<u32>>,
 }
 
@@ -74,7 +74,7 @@ pub struct EdgeRecords {
 /// iff the polygon uses it. Any number of polygons may use an edge, two edges may have the same ends, an edge may have one
 /// vertex as both its ends, vertices and edges may be unused, and loops empty.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-#[doc(alias = "ME-216")]
+#[doc(alias = "ME-218")]
 pub struct EdgeList {
     vertices: Vec<Point>,
     edges: Vec<Edge>,
@@ -126,8 +126,8 @@ pub enum EdgeListError {
 
 /// The closed walks that run along edges with these ends in this order, each as its vertices from its start: none where
 /// the edges are no closed walk; two, one against the other, where all have the same two ends; else one. So the
-/// polygon's list of edges, which gives no direction, determines the loop (ME-220).
-#[doc(alias = "ME-220")]
+/// polygon's list of edges, which gives no direction, determines the loop (ME-222).
+#[doc(alias = "ME-222")]
 pub fn walks(ends: &[[u32; 2]]) -> Vec<Vec<u32>> {
     let Some(&[a, b]) = ends.first() else { return vec![Vec::new()] };
     let starts = if a == b { vec![a] } else { vec![a, b] };
@@ -213,7 +213,7 @@ impl EdgeList {
     }
 
     /// The edge list in the numbers of the text: sides without their directions.
-    #[doc(alias = "ME-219")]
+    #[doc(alias = "ME-221")]
     pub fn records(&self) -> EdgeRecords {
         EdgeRecords {
             vertices: self.vertices.clone(),
@@ -222,18 +222,18 @@ impl EdgeList {
         }
     }
 
-    /// Its vertices and edges without its polygons: the wire frame, which does not determine them (ME-237). Drawing
+    /// Its vertices and edges without its polygons: the wire frame, which does not determine them (ME-239). Drawing
     /// edges needs no more (ME-202).
     #[doc(alias = "ME-202")]
-    #[doc(alias = "ME-237")]
+    #[doc(alias = "ME-239")]
     pub fn wire_frame(&self) -> EdgeList {
         let ends = self.edges.iter().map(|edge| edge.ends).collect();
         EdgeList::new(self.vertices.clone(), ends, Vec::new()).expect("the ends have been checked")
     }
 
     /// How often each edge is used: forward, and backward. Where all are [1, 1] the mesh is closed and consistently
-    /// oriented (ME-236).
-    #[doc(alias = "ME-236")]
+    /// oriented (ME-237).
+    #[doc(alias = "ME-237")]
     pub fn uses(&self) -> Vec<[usize; 2]> {
         let mut uses = vec![[0, 0]; self.edges.len()];
         for side in self.faces.iter().flat_map(Polygon::corners) {
@@ -243,8 +243,8 @@ impl EdgeList {
     }
 
     /// The words it takes, a coordinate or a reference being one: 3V + 2E + 2S. Each of the S uses of an edge stands at the
-    /// edge and at the polygon (ME-221).
-    #[doc(alias = "ME-221")]
+    /// edge and at the polygon (ME-223).
+    #[doc(alias = "ME-223")]
     pub fn words(&self) -> u64 {
         let uses: usize = self.edges.iter().map(|edge| edge.faces.len()).sum();
         let sides: usize = self.faces.iter().map(|polygon| polygon.corners().count()).sum();
@@ -318,8 +318,8 @@ impl Operations for EdgeList {
         counted(self.faces.iter().map(|polygon| polygon.map(place)).collect(), 3 * self.side_count())
     }
 
-    /// No polygon is read, and no edge comes twice (ME-223).
-    #[doc(alias = "ME-223")]
+    /// No polygon is read, and no edge comes twice (ME-225).
+    #[doc(alias = "ME-225")]
     fn segments(&self) -> Result<Counted<Vec<[Point; 2]>>, NoSuch> {
         let edges = self.edges.iter().filter(|edge| edge.ends[0] != edge.ends[1]);
         let segments: Vec<_> = edges.map(|edge| edge.ends.map(|v| self.vertices[v as usize].clone())).collect();
@@ -327,8 +327,8 @@ impl Operations for EdgeList {
         counted(segments, reads)
     }
 
-    /// All edges are read (ME-224).
-    #[doc(alias = "ME-224")]
+    /// All edges are read (ME-226).
+    #[doc(alias = "ME-226")]
     fn edges_at(&self, vertex: &u32) -> Result<Counted<Vec<EdgeId>>, NoSuch> {
         self.known(*vertex)?;
         let is_at = |edge: &Edge| edge.ends.contains(vertex) && edge.ends[0] != edge.ends[1];
@@ -340,8 +340,8 @@ impl Operations for EdgeList {
         counted([a.min(b), a.max(b)], 1)
     }
 
-    /// They stand in the edge's record (ME-222).
-    #[doc(alias = "ME-222")]
+    /// They stand in the edge's record (ME-224).
+    #[doc(alias = "ME-224")]
     fn faces_of_edge(&self, edge: &EdgeId) -> Result<Counted<Vec<usize>>, NoSuch> {
         let uses = &self.edge(*edge)?.faces;
         let faces: BTreeSet<usize> = uses.iter().copied().collect();

@@ -93,7 +93,7 @@ impl ExplicitList {
         Counted { answer: segments, reads }
     }
 
-    /// The words it takes, a coordinate being one: 3S (ME-211).
+    /// The words it takes, a coordinate being one: 3S (ME-213).
     pub fn words(&self) -> u64 {
         3 * self.corner_count()
     }
@@ -155,6 +155,8 @@ impl Operations for ExplicitList {
         counted(unordered([a, b]), 0)
     }
 
+    /// That they are common is not stored: it follows from equal positions (ME-208).
+    #[doc(alias = "ME-208")]
     fn faces_of_edge(&self, [a, b]: &[Point; 2]) -> Result<Counted<Vec<usize>>, NoSuch> {
         let mut faces = BTreeSet::new();
         let reads = self.scan(|face, side| {
@@ -189,9 +191,9 @@ impl Operations for ExplicitList {
     }
 
     /// Every corner at the position moves; all are read (ME-207). Where the new position is another vertex's, the two are
-    /// one from then on (ME-243).
+    /// one from then on (ME-245).
     #[doc(alias = "ME-207")]
-    #[doc(alias = "ME-243")]
+    #[doc(alias = "ME-245")]
     fn move_vertex(&mut self, vertex: &Point, to: Point) -> Result<Counted<()>, NoSuch> {
         let (mut reads, mut is_there) = (0, false);
         let loops = self.polygons.iter_mut().flat_map(|p| std::iter::once(&mut p.outer).chain(&mut p.holes));

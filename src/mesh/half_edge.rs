@@ -40,8 +40,8 @@ pub struct HalfEdges {
 }
 
 impl From<&WingedEdges> for HalfEdges {
-    /// The half-edges, numbered as the edges are. Back again, nothing has changed (ME-241).
-    #[doc(alias = "ME-241")]
+    /// The half-edges, numbered as the edges are. Back again, nothing has changed (ME-243).
+    #[doc(alias = "ME-243")]
     fn from(mesh: &WingedEdges) -> HalfEdges {
         let outgoing =
             |edge: EdgeId, vertex: u32| Side { edge, is_backward: mesh.edges()[edge.index()].ends[0] != vertex };
@@ -95,7 +95,7 @@ impl From<&HalfEdges> for EdgeList {
 }
 
 impl From<&HalfEdges> for WingedEdges {
-    /// The winged edges, by way of the edge list (ME-241).
+    /// The winged edges, by way of the edge list (ME-243).
     fn from(mesh: &HalfEdges) -> WingedEdges {
         WingedEdges::try_from(&EdgeList::from(mesh)).expect("half-edges come from winged edges")
     }

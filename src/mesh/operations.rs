@@ -159,15 +159,15 @@ impl VertexList {
     }
 
     /// The words it takes, a coordinate or a reference being one: 3V + S. That is less than the explicit list's 3S iff
-    /// S > 3V/2, that is, iff a vertex has more than 3/2 corners on average (ME-211).
-    #[doc(alias = "ME-211")]
+    /// S > 3V/2, that is, iff a vertex has more than 3/2 corners on average (ME-213).
+    #[doc(alias = "ME-213")]
     pub fn words(&self) -> u64 {
         3 * self.vertices.len() as u64 + self.corner_count()
     }
 
     /// The edges drawn where each polygon draws its sides: a common edge as often as polygons use it, as on the explicit
-    /// list (ME-213).
-    #[doc(alias = "ME-213")]
+    /// list (ME-215).
+    #[doc(alias = "ME-215")]
     pub fn strokes(&self) -> Vec<EdgeKey> {
         self.faces.iter().flat_map(Face::sides).filter(|[a, b]| a != b).map(edge).collect()
     }
@@ -188,8 +188,8 @@ impl VertexList {
         Ok(uses)
     }
 
-    /// The faces with a side such as `is_sought`. All are read: the list says nothing of what shares what (ME-214).
-    #[doc(alias = "ME-214")]
+    /// The faces with a side such as `is_sought`. All are read: the list says nothing of what shares what (ME-216).
+    #[doc(alias = "ME-216")]
     fn faces_with(&self, is_sought: impl Fn([u32; 2]) -> bool) -> Result<Vec<usize>, NoSuch> {
         let mut faces = Vec::new();
         for (number, face) in self.faces.iter().enumerate() {
@@ -251,8 +251,8 @@ impl Operations for VertexList {
         counted(faces, polygon.vertices().count() as u64 + self.corner_count())
     }
 
-    /// One record is written, whatever polygons refer to it (ME-212).
-    #[doc(alias = "ME-212")]
+    /// One record is written, whatever polygons refer to it (ME-214).
+    #[doc(alias = "ME-214")]
     fn move_vertex(&mut self, vertex: &u32, to: Point) -> Result<Counted<()>, NoSuch> {
         *self.vertices.get_mut(*vertex as usize).ok_or(NoSuch::Vertex)? = to;
         counted((), 1)

@@ -41,7 +41,7 @@ mod me_203 {
     }
 }
 
-mod me_209 {
+mod me_210 {
     use super::*;
 
     #[test]
@@ -63,7 +63,26 @@ mod me_209 {
     }
 }
 
-mod me_219 {
+mod me_211 {
+    use super::*;
+
+    #[test]
+    fn the_last_and_the_first_vertex_are_consecutive_too() {
+        assert_eq!(sides(&[0, 1, 2]).collect::<Vec<_>>(), [[0, 1], [1, 2], [2, 0]]);
+        for l in loops(4, 4).iter().filter(|l| l.len() >= 3) {
+            let printed = l.windows(2).count();
+            assert_eq!([printed + 1, l.len()], [sides(l).count(), sides(l).count()], "{l:?}");
+        }
+        // Each vertex is left once and come to once.
+        for l in loops(3, 4) {
+            let mut ends = [sides(&l).map(|s| s[0]).collect::<Vec<_>>(), sides(&l).map(|s| s[1]).collect()];
+            ends.iter_mut().for_each(|ends| ends.sort());
+            assert_eq!(ends[0], ends[1]);
+        }
+    }
+}
+
+mod me_221 {
     use super::*;
 
     #[test]
@@ -85,7 +104,7 @@ mod me_219 {
     }
 }
 
-mod me_220 {
+mod me_222 {
     use super::*;
 
     /// The loops whose sides have these ends, by trying all loops.

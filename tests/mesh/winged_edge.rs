@@ -30,7 +30,7 @@ fn corners(list: &VertexList) -> Vec<(usize, [u32; 3])> {
     corners
 }
 
-mod me_226 {
+mod me_228 {
     use super::*;
 
     /// The other edges with an end in common, and those that the record names.
@@ -90,7 +90,7 @@ mod me_226 {
     }
 }
 
-mod me_227 {
+mod me_229 {
     use super::*;
 
     #[test]
@@ -124,7 +124,7 @@ mod me_227 {
     }
 }
 
-mod me_228 {
+mod me_230 {
     use super::*;
 
     #[test]
@@ -132,7 +132,7 @@ mod me_228 {
         for list in [cube(), tetrahedron(), octahedron()] {
             let n = Rational::from(list.vertices.len());
             let sum = list.vertices.iter().fold(Vector::zero(), |sum, p| sum + p);
-            let centre = sum.scaled(&Rational::from(n.recip()));
+            let centre = sum.scaled(&n.recip());
             let mesh = wings(&list);
             for (number, vertex) in (0u32..).zip(mesh.vertices()) {
                 let [fan] = &vertex.fans[..] else { panic!("one fan at each vertex") };
@@ -209,7 +209,7 @@ mod me_228 {
     }
 }
 
-mod me_241 {
+mod me_243 {
     use super::*;
 
     fn check(name: &str, list: &VertexList) {
@@ -285,7 +285,55 @@ mod me_241 {
     }
 }
 
-mod me_242 {
+mod me_238 {
+    use super::*;
+
+    /// Whether the normals by the right-hand rule point away from the centre of the cube, face by face.
+    fn outward(list: &VertexList) -> Vec<bool> {
+        let at = |v: u32| list.vertices[v as usize].clone();
+        let twice = |p: Vector<Rational, 3>| p.scaled(&Rational::from(2));
+        let normal = |face: &Face| {
+            let [a, b, c] = [0, 1, 2].map(|i| at(face.outer[i]));
+            (b.clone() - &a).cross(&(c - &a)).dot(&(twice(a) - &Vector([1, 1, 1].map(Rational::from))))
+        };
+        list.faces.iter().map(|face| normal(face) > 0).collect()
+    }
+
+    #[test]
+    fn clockwise_faces_point_inward_by_the_right_hand_rule() {
+        let counterclockwise = cube();
+        let mut clockwise = cube();
+        clockwise.faces.iter_mut().for_each(|face| *face = face.reversed());
+        assert_eq!(outward(&counterclockwise), [true; 6]);
+        assert_eq!(outward(&clockwise), [false; 6]);
+    }
+
+    #[test]
+    fn turning_all_faces_over_turns_every_wing_over() {
+        for (name, list) in winged() {
+            let mut turned = list.clone();
+            turned.faces.iter_mut().for_each(|face| *face = face.reversed());
+            let [a, b] = [&list, &turned].map(wings);
+            let named = |mesh: &WingedEdges, id: EdgeId| edge(mesh.edges()[id.0 as usize].ends);
+            let slots = |mesh: &WingedEdges, turn: bool| {
+                let mut slots = BTreeSet::new();
+                for record in mesh.edges() {
+                    let [x, y] = record.ends;
+                    for (ends, wing) in [[x, y], [y, x]].into_iter().zip(record.wings) {
+                        let ends = if turn { [ends[1], ends[0]] } else { ends };
+                        let beside = wing.map(|w| [named(mesh, w.previous), named(mesh, w.next)]);
+                        let beside = beside.map(|[p, n]| if turn { [n, p] } else { [p, n] });
+                        slots.insert((ends, wing.map(|w| w.face), beside));
+                    }
+                }
+                slots
+            };
+            assert_eq!(slots(&a, false), slots(&b, true), "{name}");
+        }
+    }
+}
+
+mod me_244 {
     use super::*;
 
     /// How many parts the corners at a vertex make, joined where they have a side in common.
