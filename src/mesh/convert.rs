@@ -102,7 +102,8 @@ impl TryFrom<&VertexList> for ExplicitList {
 impl TryFrom<&VertexList> for EdgeList {
     type Error = MissingVertex;
 
-    /// The edge list with one edge for each pair of vertices that a side joins. Errors: the first vertex that does not exist.
+    /// The edge list with one edge for each pair of vertices that a side joins. Errors: the first vertex that does not
+    /// exist.
     #[doc(alias = "ME-240")]
     fn try_from(list: &VertexList) -> Result<EdgeList, MissingVertex> {
         check(list)?;

@@ -1,4 +1,5 @@
-//! The edge list: vertices, edges and polygons, each edge with its vertices and its polygons, each polygon by its edges.
+//! The edge list: vertices, edges and polygons, each edge with its vertices and its polygons, each polygon by its
+//! edges.
 
 use super::explicit::Polygon;
 use super::operations::{Counted, NoSuch, Operations, counted};
@@ -70,9 +71,9 @@ pub struct EdgeRecords {
     pub faces: Vec<Polygon<u32>>,
 }
 
-/// A mesh by its edge list, checked: every number names something, every loop is a closed walk, and an edge lists a polygon
-/// iff the polygon uses it. Any number of polygons may use an edge, two edges may have the same ends, an edge may have one
-/// vertex as both its ends, vertices and edges may be unused, and loops empty.
+/// A mesh by its edge list, checked: every number names something, every loop is a closed walk, and an edge lists a
+/// polygon iff the polygon uses it. Any number of polygons may use an edge, two edges may have the same ends, an edge
+/// may have one vertex as both its ends, vertices and edges may be unused, and loops empty.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 #[doc(alias = "ME-218")]
 pub struct EdgeList {
@@ -242,8 +243,8 @@ impl EdgeList {
         uses
     }
 
-    /// The words it takes, a coordinate or a reference being one: 3V + 2E + 2S. Each of the S uses of an edge stands at the
-    /// edge and at the polygon (ME-223).
+    /// The words it takes, a coordinate or a reference being one: 3V + 2E + 2S. Each of the S uses of an edge stands at
+    /// the edge and at the polygon (ME-223).
     #[doc(alias = "ME-223")]
     pub fn words(&self) -> u64 {
         let uses: usize = self.edges.iter().map(|edge| edge.faces.len()).sum();

@@ -31,8 +31,8 @@ pub fn tetrahedron() -> VertexList {
     mesh(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 }
 
-/// A torus of m × n quadrilaterals, mn vertices and 2mn edges, consistently oriented. The positions (i, j, ij) differ, but are
-/// no embedding.
+/// A torus of m × n quadrilaterals, mn vertices and 2mn edges, consistently oriented. The positions (i, j, ij) differ,
+/// but are no embedding.
 ///
 /// # Panics
 /// Iff m or n is less than 3.

@@ -47,9 +47,9 @@ impl<T> Polygon<T> {
     }
 }
 
-/// A mesh by its polygons, Pᵢ = (x₁,y₁,z₁), …, (xₙ,yₙ,zₙ), in the order of each loop: as a set of triples, which the text
-/// prints, they make no one polygon (ME-203). A vertex is a position: it is stored once for each corner (ME-204), and two
-/// vertices at one position are one. Vertices that no polygon uses cannot be stored.
+/// A mesh by its polygons, Pᵢ = (x₁,y₁,z₁), …, (xₙ,yₙ,zₙ), in the order of each loop: as a set of triples, which the
+/// text prints, they make no one polygon (ME-203). A vertex is a position: it is stored once for each corner (ME-204),
+/// and two vertices at one position are one. Vertices that no polygon uses cannot be stored.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 #[doc(alias = "ME-203")]
 pub struct ExplicitList {
@@ -63,8 +63,8 @@ impl ExplicitList {
         self.polygons.iter().map(|polygon| polygon.corners().count() as u64).sum()
     }
 
-    /// How often a position is stored: once for each corner there, which is once for each polygon that refers to it where
-    /// no polygon comes to it twice (ME-204).
+    /// How often a position is stored: once for each corner there, which is once for each polygon that refers to it
+    /// where no polygon comes to it twice (ME-204).
     #[doc(alias = "ME-204")]
     pub fn copies(&self, of: &Point) -> usize {
         self.polygons.iter().flat_map(Polygon::corners).filter(|corner| *corner == of).count()
@@ -76,9 +76,9 @@ impl ExplicitList {
         self.polygons.iter().flat_map(Polygon::loops).flat_map(pairs).filter(|[a, b]| a != b).collect()
     }
 
-    /// Each segment once, by the text's procedure without further memory: before a side is drawn, all sides before it are
-    /// read to see whether one is the same segment. It reads up to S + S(S−1)/2 sides, and all of these iff no segment comes
-    /// twice (ME-206); [`Operations::segments`] remembers what it has drawn and reads S.
+    /// Each segment once, by the text's procedure without further memory: before a side is drawn, all sides before it
+    /// are read to see whether one is the same segment. It reads up to S + S(S−1)/2 sides, and all of these iff no
+    /// segment comes twice (ME-206); [`Operations::segments`] remembers what it has drawn and reads S.
     #[doc(alias = "ME-206")]
     pub fn segments_by_rescanning(&self) -> Counted<Vec<[Point; 2]>> {
         let all: Vec<[&Point; 2]> = self.polygons.iter().flat_map(Polygon::loops).flat_map(pairs).collect();
@@ -126,7 +126,8 @@ fn unordered([a, b]: [&Point; 2]) -> [Point; 2] {
     [a.min(b).clone(), a.max(b).clone()]
 }
 
-/// A vertex is its position; an edge is its two ends, the smaller position first. A side between equal positions is no edge.
+/// A vertex is its position; an edge is its two ends, the smaller position first. A side between equal positions is no
+/// edge.
 impl Operations for ExplicitList {
     type Vertex = Point;
     type Edge = [Point; 2];
@@ -190,8 +191,8 @@ impl Operations for ExplicitList {
         counted(faces.into_iter().collect(), polygon.corners().count() as u64 + reads)
     }
 
-    /// Every corner at the position moves; all are read (ME-207). Where the new position is another vertex's, the two are
-    /// one from then on (ME-245).
+    /// Every corner at the position moves; all are read (ME-207). Where the new position is another vertex's, the two
+    /// are one from then on (ME-245).
     #[doc(alias = "ME-207")]
     #[doc(alias = "ME-245")]
     fn move_vertex(&mut self, vertex: &Point, to: Point) -> Result<Counted<()>, NoSuch> {

@@ -49,7 +49,7 @@ impl<const N: usize> From<[u32; N]> for Face {
     }
 }
 
-/// The directed sides of a loop, from each vertex to the next and from the last to the first (ME-211); as many as it has
+/// The directed sides of a loop, from each vertex to the next, and from the last to the first (ME-211): as many as it has
 /// vertices. A loop of one vertex has the side from it to itself, one of two vertices both directions of its edge.
 #[doc(alias = "ME-211")]
 pub fn sides(vertices: &[u32]) -> impl Iterator<Item = [u32; 2]> {

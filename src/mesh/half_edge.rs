@@ -1,5 +1,5 @@
-//! The half-edge view of winged edges: each direction of an edge has its own record, so that a walk needs no question of
-//! direction, a loop is one reference, and a boundary can be walked along like a face.
+//! The half-edge view of winged edges: each direction of an edge has its own record, so that a walk needs no question
+//! of direction, a loop is one reference, and a boundary can be walked along like a face.
 
 use super::edge_list::{EdgeId, EdgeList, Side};
 use super::explicit::Polygon;
@@ -30,8 +30,9 @@ pub struct HalfEdgeVertex {
     pub fans: Vec<Side>,
 }
 
-/// A mesh by half-edges: the same meshes as [`WingedEdges`]. Every half-edge has a next one: one without face goes on at its end
-/// to the half-edge without face of the same fan, so that the boundary is that of the surface with its fans taken apart.
+/// A mesh by half-edges: the same meshes as [`WingedEdges`]. Every half-edge has a next one: one without face goes on
+/// at its end to the half-edge without face of the same fan, so that the boundary is that of the surface with its fans
+/// taken apart.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct HalfEdges {
     vertices: Vec<HalfEdgeVertex>,
@@ -153,8 +154,8 @@ impl HalfEdges {
         self.faces.iter().map(walked).collect()
     }
 
-    /// The boundary loops: half-edges without face, each loop beginning with its least, in order of these. An edge without
-    /// polygon that has others at its ends is a boundary of its own, back and forth.
+    /// The boundary loops: half-edges without face, each loop beginning with its least, in order of these. An edge
+    /// without polygon that has others at its ends is a boundary of its own, back and forth.
     pub fn boundary_loops(&self) -> Vec<Vec<Side>> {
         let (mut loops, mut walked) = (Vec::new(), BTreeSet::new());
         for number in 0..self.half_edges.len() {

@@ -1,10 +1,10 @@
 //! The operations on polygon meshes, the same on every structure, with the number of records that each reads.
 //!
 //! A *read* is one of: a position; an item of a list (a polygon's corner or side, an edge's polygon, a vertex's edge);
-//! the record of an edge, of a half-edge, or of a vertex that has more than a position. With S corners, V vertices,
-//! E edges; at the vertex d edges in f fans; the edge used k times; the polygon, or all polygons, with n sides and l loops;
-//! Σk over the edges at the vertex, or of the polygon; Σf over all vertices; where no edge is without polygon and no side
-//! runs from a vertex to itself:
+//! the record of an edge, of a half-edge, or of a vertex that has more than a position. With S corners, V vertices, E
+//! edges; at the vertex d edges in f fans; the edge used k times; the polygon, or all polygons, with n sides and l
+//! loops; Σk over the edges at the vertex, or of the polygon; Σf over all vertices; where no edge is without polygon
+//! and no side runs from a vertex to itself:
 //!
 //! | | explicit | vertex list | edge list | winged edge | half-edge |
 //! |---|---|---|---|---|---|
@@ -58,8 +58,8 @@ pub(super) fn counted<T>(answer: T, reads: u64) -> Result<Counted<T>, NoSuch> {
 /// The operations that the text lists (ME-201). Answers that are lists of names are sorted, each name once. An edge
 /// joins two different vertices: a side from a vertex to itself is none.
 ///
-/// Each fails iff a name that it is given is not in the mesh; on a [`VertexList`], which promises nothing, also where it
-/// comes upon a polygon that names a missing vertex.
+/// Each fails iff a name that it is given is not in the mesh; on a [`VertexList`], which promises nothing, also where
+/// it comes upon a polygon that names a missing vertex.
 #[doc(alias = "ME-201")]
 pub trait Operations {
     /// The name of a vertex.
@@ -165,8 +165,8 @@ impl VertexList {
         3 * self.vertices.len() as u64 + self.corner_count()
     }
 
-    /// The edges drawn where each polygon draws its sides: a common edge as often as polygons use it, as on the explicit
-    /// list (ME-215).
+    /// The edges drawn where each polygon draws its sides: a common edge as often as polygons use it, as on the
+    /// explicit list (ME-215).
     #[doc(alias = "ME-215")]
     pub fn strokes(&self) -> Vec<EdgeKey> {
         self.faces.iter().flat_map(Face::sides).filter(|[a, b]| a != b).map(edge).collect()

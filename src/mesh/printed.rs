@@ -12,7 +12,8 @@ fn tenths([x, y]: [i64; 2]) -> Point {
     Vector([Rational::from((x, 10)), Rational::from((y, 10)), Rational::new()])
 }
 
-/// A side by the number of its edge, from 1 as printed; negative where the loop runs from the edge's second vertex to its first.
+/// A side by the number of its edge, from 1 as printed; negative where the loop runs from the edge's second vertex to
+/// its first.
 fn side(number: i32) -> Side {
     Side { edge: EdgeId(number.unsigned_abs() - 1), is_backward: number < 0 }
 }
@@ -23,8 +24,8 @@ fn loop_of(numbers: &[i32]) -> Vec<Side> {
 
 const TRIANGLE: [[i64; 2]; 3] = [[50, 100], [100, 0], [0, 0]];
 
-/// The triangle by faces and vertices: Ft1 = (Vt1, Vt2, Vt3), Ft2 = (Vt1, Vt3, Vt2) (ME-232). A closed mesh of two faces, each
-/// clockwise from its own side.
+/// The triangle by faces and vertices: Ft1 = (Vt1, Vt2, Vt3), Ft2 = (Vt1, Vt3, Vt2) (ME-232). A closed mesh of two
+/// faces, each clockwise from its own side.
 #[doc(alias = "ME-232")]
 pub fn triangle() -> VertexList {
     VertexList { vertices: TRIANGLE.map(tenths).to_vec(), faces: vec![Face::from([0, 1, 2]), Face::from([0, 2, 1])] }
@@ -42,8 +43,8 @@ pub fn triangle_records() -> EdgeRecords {
     }
 }
 
-/// The hollow triangle, "triângulo vazado": two faces, each with a hole (ME-234). The text lists the six edges of a face in one
-/// row; that the last three are a loop of their own is in [`hollow_triangle_rows`] for the reader to find.
+/// The hollow triangle, "triângulo vazado": two faces, each with a hole (ME-234). The text lists the six edges of a
+/// face in one row; that the last three are a loop of their own is in [`hollow_triangle_rows`] for the reader to find.
 #[doc(alias = "ME-234")]
 pub fn hollow_triangle() -> EdgeList {
     let vertices = [[50, 100], [100, 0], [0, 0], [1, 1], [99, 1], [50, 99]].map(tenths).to_vec();
@@ -58,8 +59,8 @@ pub fn hollow_triangle_rows() -> [[u32; 6]; 2] {
     [[0, 1, 2, 3, 5, 4], [0, 2, 1, 3, 4, 5]]
 }
 
-/// A segment as an object: a quadrilateral of half the given width to either side of the segment from (0, 0) to (1, 0), with
-/// two faces and four edges (ME-235). `None` iff it has no width.
+/// A segment as an object: a quadrilateral of half the given width to either side of the segment from (0, 0) to (1, 0),
+/// with two faces and four edges (ME-235). `None` iff it has no width.
 #[doc(alias = "ME-235")]
 pub fn segment(half_width: &Rational) -> Option<VertexList> {
     let at = |x: i64, y: Rational| Vector([Rational::from(x), y, Rational::new()]);
@@ -90,7 +91,8 @@ pub enum HouseReading {
     WallsAndRoof,
 }
 
-/// The house with its eight printed edges, each common to two faces, which run along it in opposite directions (ME-236).
+/// The house with its eight printed edges, each common to two faces, which run along it in opposite directions
+/// (ME-236).
 #[doc(alias = "ME-236")]
 pub fn house_with_edges(reading: HouseReading) -> EdgeList {
     let [f2, f3] = match reading {

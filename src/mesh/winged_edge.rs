@@ -41,14 +41,14 @@ impl WingedEdge {
 pub struct WingedVertex {
     /// Where it is.
     pub position: Point,
-    /// Its edges, by fans: two edges in a row have a common face between them. Seen from outside, a fan is clockwise. A fan that
-    /// does not close begins and ends with an edge that lacks a wing; one that closes begins with its least edge. The fans
-    /// that do not close come first; of either kind the one with the least first edge comes first.
+    /// Its edges, by fans: two edges in a row have a common face between them. Seen from outside, a fan is clockwise. A
+    /// fan that does not close begins and ends with an edge that lacks a wing; one that closes begins with its least
+    /// edge. The fans that do not close come first; of either kind the one with the least first edge comes first.
     pub fans: Vec<Vec<EdgeId>>,
 }
 
-/// A mesh by winged edges. It holds what has at most one use of each edge in either direction: manifolds with or without
-/// boundary, and also vertices with several fans (ME-244), polygons with holes, edges without polygon.
+/// A mesh by winged edges. It holds what has at most one use of each edge in either direction: manifolds with or
+/// without boundary, and also vertices with several fans (ME-244), polygons with holes, edges without polygon.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 #[doc(alias = "ME-244")]
 pub struct WingedEdges {
@@ -164,8 +164,8 @@ impl WingedEdges {
         Some(self.edges[next.index()].from(next, edge.ends[1 - side.index()]))
     }
 
-    /// The edge that comes after an edge clockwise around one of its ends, seen from outside: the successor in the loop that
-    /// comes in along the edge. `None` where there is no such loop.
+    /// The edge that comes after an edge clockwise around one of its ends, seen from outside: the successor in the loop
+    /// that comes in along the edge. `None` where there is no such loop.
     fn clockwise(&self, edge: EdgeId, vertex: u32) -> Option<EdgeId> {
         let outgoing = self.edges[edge.index()].from(edge, vertex);
         self.next(outgoing.reversed()).map(|side| side.edge)
@@ -203,8 +203,8 @@ impl WingedEdges {
         }
     }
 
-    /// The words it takes, a coordinate or a reference being one: 3V + 8E for two wings, 2E for the edges of the vertices,
-    /// S for those of the faces. A missing wing takes its place too.
+    /// The words it takes, a coordinate or a reference being one: 3V + 8E for two wings, 2E for the edges of the
+    /// vertices, S for those of the faces. A missing wing takes its place too.
     pub fn words(&self) -> u64 {
         (3 * self.vertices.len() + 10 * self.edges.len()) as u64 + self.side_count()
     }
