@@ -253,7 +253,7 @@ impl EdgeList {
     }
 
     fn edge(&self, edge: EdgeId) -> Result<&Edge, NoSuch> {
-        self.edges.get(edge.index()).ok_or(NoSuch::Edge)
+        self.edges.get(edge.index()).filter(|edge| edge.ends[0] != edge.ends[1]).ok_or(NoSuch::Edge)
     }
 
     fn ids(&self) -> impl Iterator<Item = (EdgeId, &Edge)> {

@@ -59,8 +59,8 @@ mod table {
             let l: u64 = list.faces.iter().map(|face| face.loops().count() as u64).sum();
             let wings = WingedEdges::try_from(&list).expect(name);
             let fans: u64 = wings.vertices().iter().map(|vertex| vertex.fans.len() as u64).sum();
-            // Each edge is at two vertices, of two uses, in two polygons; so Σd = 2E, Σk over the edges at all vertices is 4E,
-            // over the edges of all polygons 2S.
+            // Each edge is at two vertices and has two uses: Σd = 2E; Σk is 4E over the edges at all vertices, 2S over those of
+            // all polygons.
             let rows = [
                 [s, s, v * s, 0, e * s, v * s, s + f * s, s, s, 0],
                 [2 * s, s + 2 * e, v * s, 0, e * s, v * s, s + f * s, 1, s, s],
@@ -154,6 +154,14 @@ mod me_206 {
             let explicit = ExplicitList::try_from(&list).expect(name);
             assert_eq!(sorted(explicit.segments_by_rescanning().answer), sorted(of(explicit.segments())), "{name}");
         }
+    }
+
+    #[test]
+    fn and_reads_up_to_the_edge_that_it_finds() {
+        // Sides 01 12 20 21 13 32: the fourth is found as the second, after 2 reads; the others are not found.
+        let two = mesh(&positions(4), &[[0, 1, 2], [2, 1, 3]]);
+        let explicit = ExplicitList::try_from(&two).expect("sound");
+        assert_eq!(explicit.segments_by_rescanning().reads, 6 + (1 + 2 + 2 + 4 + 5));
     }
 
     #[test]

@@ -174,6 +174,20 @@ mod me_201 {
     }
 
     #[test]
+    fn a_side_from_a_vertex_to_itself_is_no_edge() {
+        let list = mesh(&positions(3), &[[0, 0, 1]]);
+        let explicit = ExplicitList::try_from(&list).expect("sound");
+        let edges = EdgeList::try_from(&list).expect("sound");
+        assert_eq!(list.faces_of_edge(&[0, 0]).map(drop), Err(NoSuch::Edge));
+        let place = list.vertices[0].clone();
+        assert_eq!(explicit.faces_of_edge(&[place.clone(), place]).map(drop), Err(NoSuch::Edge));
+        assert_eq!(edges.edges()[0].ends, [0, 0]);
+        assert_eq!(edges.faces_of_edge(&EdgeId(0)).map(drop), Err(NoSuch::Edge));
+        assert_eq!(edges.ends(&EdgeId(0)).map(drop), Err(NoSuch::Edge));
+        assert_eq!(of(edges.faces_of_edge(&EdgeId(1))), [0]);
+    }
+
+    #[test]
     fn a_vertex_list_that_names_a_missing_vertex_is_refused_by_what_comes_upon_it() {
         let mut broken = cube();
         broken.faces[5].outer[1] = 8;
