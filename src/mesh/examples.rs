@@ -30,3 +30,20 @@ pub fn cube() -> VertexList {
 pub fn tetrahedron() -> VertexList {
     mesh(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 }
+
+/// A torus of m × n quadrilaterals, mn vertices and 2mn edges, consistently oriented. The positions (i, j, ij) differ,
+/// but are no embedding.
+///
+/// # Panics
+/// Iff m or n is less than 3.
+pub fn quad_torus(m: u32, n: u32) -> VertexList {
+    assert!(m >= 3 && n >= 3, "less than 3 in a row is no row of quadrilaterals");
+    let number = |i: u32, j: u32| i % m * n + j % n;
+    let grid = || (0..m).flat_map(|i| (0..n).map(move |j| (i, j)));
+    VertexList {
+        vertices: grid().map(|(i, j)| point([i, j, i * j].map(i64::from))).collect(),
+        faces: grid()
+            .map(|(i, j)| Face::from([number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)]))
+            .collect(),
+    }
+}
