@@ -1,6 +1,13 @@
 //! Polygon meshes: each entry of spec/mesh.md against a second derivation.
 
+#[cfg(feature = "cli")]
+mod answers;
+mod criteria;
 mod defects;
+mod edge_criteria;
 mod examples;
 mod naive_check;
+mod normals;
+mod plane;
+mod printed;
 mod specimens;

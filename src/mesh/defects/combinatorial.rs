@@ -60,8 +60,8 @@ pub fn out_of_range(mesh: &VertexList, defects: &mut Defects) {
     }
 }
 
-/// Each loop by itself. With 3 or more different vertices in every loop none of these, and every used vertex has two
-/// neighbours or more (ME-103).
+/// Each loop by itself. A loop of 3 or more vertices, none twice, has none of these, and its vertices have two
+/// neighbours or more (ME-103, ME-108).
 #[doc(alias = "ME-103")]
 pub fn loops(mesh: &VertexList, defects: &mut Defects) {
     for (i, face) in mesh.faces.iter().enumerate() {
