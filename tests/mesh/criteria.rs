@@ -93,7 +93,7 @@ mod me_108 {
         for i in 0..3_u32.pow(4) * 4 {
             let outer: Vec<u32> = [i % 3, i / 3 % 3, i / 9 % 3, i / 27 % 3][..(i / 81 + 1) as usize].to_vec();
             let sound = outer.len() >= 3 && outer.iter().collect::<BTreeSet<_>>().len() == outer.len();
-            let one = mesh(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], &[outer.clone()]);
+            let one = mesh(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], std::slice::from_ref(&outer));
             let is_told = categories(&one).contains(&Category::VertexLt2Edges);
             assert!(!(is_told && sound), "{outer:?}");
             told += i32::from(is_told);

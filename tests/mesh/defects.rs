@@ -1,6 +1,6 @@
 //! `mesh::defects::check` against brute force: exhaustively on small meshes, and on broken ones drawn at random.
 
-use super::naive_check::{found, naive_check};
+use super::naive_check::{Listed, found, naive_check, same_cycle};
 use super::specimens;
 use isoracle::mesh::defects::{Category, Defects, Element, ListedEdges, check};
 use isoracle::mesh::examples::{cube, mesh, tetrahedron};
@@ -166,6 +166,26 @@ fn an_open_band_with_a_half_twist_is_not_orientable_but_that_is_no_defect() {
 }
 
 #[test]
+fn all_loops_of_up_to_eight_over_two_numbers_are_compared_as_cycles() {
+    let loops = lists(2, 8);
+    let report = check(&mesh(&[[0, 0, 0], [1, 0, 0]], &loops), None);
+    let equal = |l: &Vec<u32>| (0..loops.len()).filter(|i| same_cycle(l, &loops[*i])).collect::<Vec<_>>();
+    let groups: BTreeSet<Vec<usize>> = loops.iter().map(equal).filter(|group| group.len() > 1).collect();
+    assert!(report.defects.of(Category::DuplicateFace).cloned().eq(groups.into_iter().map(Element::Faces)));
+}
+
+#[test]
+fn long_loops_of_few_vertices_are_compared_as_cycles_at_once() {
+    let zeros = vec![0; 50_000];
+    let (mut odd, mut turned) = (zeros.clone(), zeros.clone());
+    (odd[40_000], odd[40_002], turned[7], turned[9]) = (1, 2, 2, 1);
+    let loops = [zeros.clone(), odd.clone(), turned, zeros, odd[1..].to_vec()];
+    let report = check(&mesh(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]], &loops), None);
+    let same: Vec<&Element> = report.defects.of(Category::DuplicateFace).collect();
+    assert_eq!(same, [&Element::Faces(vec![0, 3]), &Element::Faces(vec![1, 2])]);
+}
+
+#[test]
 fn ten_thousand_faces_take_seconds() {
     // A height field of 71·71 squares, two triangles each: edges along both axes and diagonals.
     let n = 72_u32;
@@ -188,7 +208,7 @@ fn a_polygon_of_two_thousand_vertices_crosses_itself_only_where_it_does() {
         (0..teeth).flat_map(|i| [[4 * i, 0, 7], [4 * i + 1, 9, 7], [4 * i + 2, 9, 7], [4 * i + 3, 0, 7]]).collect();
     points.extend([[4 * teeth, -1, 7], [-1, -1, 7]]);
     let outer: Vec<u32> = (0..points.len() as u32).collect();
-    let sound = check(&mesh(&points, &[outer.clone()]), None);
+    let sound = check(&mesh(&points, std::slice::from_ref(&outer)), None);
     assert!(!sound.defects.has(Category::SelfCrossingLoop));
     points[2 * teeth as usize][1] = -2;
     assert!(check(&mesh(&points, &[outer]), None).defects.has(Category::SelfCrossingLoop));
@@ -325,7 +345,7 @@ proptest! {
         let (edges, faces) = listed(&mesh, &wrong);
         let faces = with_faces.then_some(faces);
         let list = ListedEdges::new(edges.clone(), faces.clone()).expect("as many as edges");
-        let naive = naive_check(&mesh, Some((&edges, faces.as_deref())));
+        let naive = naive_check(&mesh, Some(Listed { edges: &edges, faces: faces.as_deref() }));
         prop_assert_eq!(found(&check(&mesh, Some(&list))), naive);
     }
 

@@ -14,8 +14,15 @@ pub fn found(report: &Report) -> (Found, Option<Counts>) {
     (report.defects.iter().map(|(category, elements)| (category, elements.clone())).collect(), report.counts.clone())
 }
 
-/// The same from the definitions; `edges` with the faces of each, perhaps.
-pub fn naive_check(mesh: &VertexList, edges: Option<(&[[u32; 2]], Option<&[Vec<u32>]>)>) -> (Found, Option<Counts>) {
+/// A list of edges, perhaps with the faces of each.
+#[derive(Clone, Copy)]
+pub struct Listed<'a> {
+    pub edges: &'a [[u32; 2]],
+    pub faces: Option<&'a [Vec<u32>]>,
+}
+
+/// The same from the definitions.
+pub fn naive_check(mesh: &VertexList, listed: Option<Listed>) -> (Found, Option<Counts>) {
     let naive = Naive { mesh };
     let n = mesh.vertices.len() as u32;
     let mut found = Found::new();
@@ -66,7 +73,7 @@ pub fn naive_check(mesh: &VertexList, edges: Option<(&[[u32; 2]], Option<&[Vec<u
         add(at.len() > 1, Category::DuplicateVertexPosition, Element::Vertices(at));
         let used = naive.is_used(a);
         add(!used, Category::IsolatedVertex, Element::Vertex(a));
-        let neighbours: Vec<u32> = (0..n).filter(|&b| naive.uses(a, b).len() > 0).collect();
+        let neighbours: Vec<u32> = (0..n).filter(|&b| !naive.uses(a, b).is_empty()).collect();
         add(used && neighbours.len() < 2, Category::VertexLt2Edges, Element::Vertex(a));
         add(!naive.link_is_connected(a, &neighbours), Category::NonmanifoldVertex, Element::Vertex(a));
         for b in a + 1..n {
@@ -88,17 +95,17 @@ pub fn naive_check(mesh: &VertexList, edges: Option<(&[[u32; 2]], Option<&[Vec<u
                 let inside = t.is_some_and(|t| t > 0 && t < 1);
                 add(inside, Category::TJunction, Element::VertexInEdge(v, [a, b]));
             }
-            if let Some((listed, _)) = edges {
-                let is_listed = listed.contains(&[a, b]) || listed.contains(&[b, a]);
+            if let Some(Listed { edges, .. }) = listed {
+                let is_listed = edges.contains(&[a, b]) || edges.contains(&[b, a]);
                 add(!is_listed, Category::EdgeMissingFromList, Element::Edge([a, b]));
             }
         }
     }
-    if let Some((listed, faces)) = edges {
-        for (i, &[a, b]) in listed.iter().enumerate() {
+    if let Some(Listed { edges, faces }) = listed {
+        for (i, &[a, b]) in edges.iter().enumerate() {
             let uses = if a == b { Vec::new() } else { naive.uses(a, b) };
             add(uses.is_empty(), Category::EdgeUnreferenced, Element::Record(i));
-            let times = listed.iter().filter(|&&other| other == [a, b] || other == [b, a]).count();
+            let times = edges.iter().filter(|&&other| other == [a, b] || other == [b, a]).count();
             add(times > 1, Category::DuplicateEdgeRecord, Element::Edge([a.min(b), a.max(b)]));
             if let Some(faces) = faces {
                 let using = |f: u32| uses.iter().any(|u| u.0 == f as usize);
@@ -267,7 +274,8 @@ impl Naive<'_> {
     }
 }
 
-fn same_cycle(a: &[u32], b: &[u32]) -> bool {
+/// Whether two loops are equal as cycles, in either direction: every rotation is tried.
+pub fn same_cycle(a: &[u32], b: &[u32]) -> bool {
     let m = a.len();
     let equal = |at: &dyn Fn(usize, usize) -> usize| (0..m).any(|shift| (0..m).all(|i| a[i] == b[at(i, shift)]));
     m == b.len() && (m == 0 || equal(&|i, shift| (i + shift) % m) || equal(&|i, shift| (shift + m - i) % m))
