@@ -1,6 +1,6 @@
 //! `mesh::defects::check` against brute force: exhaustively on small meshes, and on broken ones drawn at random.
 
-use super::naive_check::{Listed, found, naive_check, same_cycle};
+use super::naive_check::{Listed, crosses_itself, found, naive_check, same_cycle};
 use super::specimens;
 use isoracle::mesh::defects::{Category, Defects, Element, ListedEdges, check};
 use isoracle::mesh::examples::{cube, mesh, tetrahedron};
@@ -81,11 +81,12 @@ fn every_set_of_at_most_four_polygons_over_four_vertices_is_judged_as_by_brute_f
     for set in (0_u32..1 << 14).filter(|set| set.count_ones() <= 4) {
         let faces: Vec<Face> = (0..14).filter(|i| set >> i & 1 == 1).map(|i| polygons[i].clone()).collect();
         // One of the position sets each, all of them in turn.
-        let vertices = at[set.count_ones() as usize % 2 + 2 * usize::from(set % 7 == 0)].clone();
-        let mesh = VertexList { vertices, faces };
-        let report = check(&mesh, None);
-        assert_eq!(found(&report), naive_check(&mesh, None), "{mesh:?}");
-        let counts = report.counts.expect("indices are in range");
+        let one = set.count_ones() as usize % 2 + 2 * usize::from(set % 7 == 0);
+        for vertices in if long() { &at[..] } else { &at[one..=one] } {
+            is_as_by_brute_force(&VertexList { vertices: vertices.clone(), faces: faces.clone() });
+        }
+        let counts =
+            check(&VertexList { vertices: at[one].clone(), faces }, None).counts.expect("indices are in range");
         closed += i32::from(counts.closed);
         manifold += i32::from(counts.manifold);
     }
@@ -155,6 +156,33 @@ fn a_hole_of_its_faces_sense_says_nothing_of_the_surface() {
     let counts = report.counts.expect("in range");
     assert!(counts.closed && counts.orientable && !counts.manifold);
     assert_eq!((counts.volume, counts.genus), (None, None));
+}
+
+#[test]
+fn beside_a_hole_of_its_faces_sense_no_surface_is_called_not_orientable() {
+    let mut both = specimens::box_with_tunnel();
+    both.faces[0].holes[0].reverse();
+    let plane = specimens::projective_plane();
+    both.vertices.extend(plane.vertices.into_iter().map(|v| v + &specimens::rational([[50, 1], [0, 1], [0, 1]])));
+    both.faces.extend(plane.faces.iter().map(|face| Face::new(face.outer.iter().map(|v| v + 16).collect::<Vec<_>>())));
+    let report = check(&both, None);
+    assert_eq!(categories(&report.defects), [Category::InconsistentWindingEdge, Category::HoleSameSenseAsOuter]);
+    let counts = report.counts.expect("in range");
+    assert!(counts.closed && !counts.orientable);
+}
+
+#[test]
+fn all_quadrangles_and_some_pentagons_of_a_grid_cross_themselves_as_by_brute_force() {
+    // In the plane x = 2y + z, and in one along an axis.
+    for place in [|u: i64, v: i64| [2 * u + v, u, v], |u: i64, v: i64| [u, 5, v]] {
+        let vertices: Vec<[i64; 3]> = (0..9).map(|i| place(i % 3, i / 3)).collect();
+        let pentagons = lists(9, 5).into_iter().filter(|l| l.len() == 5).step_by(if long() { 1 } else { 29 });
+        let loops: Vec<Vec<u32>> = lists(9, 4).into_iter().filter(|l| l.len() == 4).chain(pentagons).collect();
+        let grid = mesh(&vertices, &loops);
+        let points = |l: &Vec<u32>| l.iter().map(|v| grid.vertices[*v as usize].clone()).collect::<Vec<Point>>();
+        let crossing = (0..loops.len()).filter(|i| crosses_itself(&points(&loops[*i]))).map(Element::Face);
+        assert!(check(&grid, None).defects.of(Category::SelfCrossingLoop).cloned().eq(crossing));
+    }
 }
 
 #[test]

@@ -60,7 +60,7 @@ pub fn naive_check(mesh: &VertexList, listed: Option<Listed>) -> (Found, Option<
             add(!plane, Category::NonplanarFace, here.clone());
             let total = loops(face).iter().fold(Vector::zero(), |sum, l| sum + &naive.area(l));
             add(plane && !line && total == Vector::zero(), Category::ZeroSignedAreaFace, here.clone());
-            add(plane && naive.crosses(&face.outer), Category::SelfCrossingLoop, here.clone());
+            add(plane && crosses_itself(&naive.points(&face.outer)), Category::SelfCrossingLoop, here.clone());
         }
         let same = face.holes.iter().any(|hole| naive.area(hole).dot(&naive.area(&face.outer)) > 0);
         add(same, Category::HoleSameSenseAsOuter, here);
@@ -195,13 +195,6 @@ impl Naive<'_> {
         triangles.fold(Vector::zero(), |sum, t| sum + &t)
     }
 
-    fn crosses(&self, l: &[u32]) -> bool {
-        let (points, m) = (self.points(l), l.len());
-        let side = |i: usize| [&points[i], &points[(i + 1) % m]];
-        let adjacent = |i: usize, j: usize| j == i + 1 || (i == 0 && j + 1 == m);
-        (0..m).any(|i| (i + 1..m).any(|j| !adjacent(i, j) && segments_cross(side(i), side(j))))
-    }
-
     fn counts(&self, found: &mut Found) -> Counts {
         let (faces, n) = (&self.mesh.faces, self.mesh.vertices.len() as u32);
         let edges: Vec<_> = (0..n)
@@ -300,6 +293,14 @@ fn parameter(p: &Point, a: &Point, b: &Point) -> Option<Rational> {
     let axis = (0..3).find(|&k| a[k] != b[k])?;
     let t = Rational::from(&p[axis] - &a[axis]) / Rational::from(&b[axis] - &a[axis]);
     (a.clone() + &(b.clone() - a).scaled(&t) == *p).then_some(t)
+}
+
+/// Whether two sides that are not adjacent cross: every pair is tried.
+pub fn crosses_itself(points: &[Point]) -> bool {
+    let m = points.len();
+    let side = |i: usize| [&points[i], &points[(i + 1) % m]];
+    let adjacent = |i: usize, j: usize| j == i + 1 || (i == 0 && j + 1 == m);
+    (0..m).any(|i| (i + 1..m).any(|j| !adjacent(i, j) && segments_cross(side(i), side(j))))
 }
 
 /// Whether p + t(q − p) = r + s(u − r) has one solution, with t and s in (0, 1).
