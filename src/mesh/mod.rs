@@ -3,10 +3,18 @@
 
 pub mod angle_deficit;
 pub mod cells;
+pub mod classify;
+pub mod connected_sum;
+pub mod euler;
 pub mod examples;
 pub mod face;
+pub mod gluing;
+pub mod homology;
+pub mod manifold;
+pub mod orientation;
 pub mod realisation;
 pub mod simplicial;
 pub mod triangles;
 pub mod vertex_list;
 pub mod weld;
+pub mod word;
