@@ -1,6 +1,7 @@
 //! When a simplicial complex is a manifold with border, of dimension 1, 2 or 3: the links of its simplices decide.
 
 use super::simplicial::{Simplex, SimplicialComplex};
+use std::collections::BTreeMap;
 
 /// The dimension that a manifold is to have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -96,14 +97,17 @@ fn link_kind(complex: &SimplicialComplex, d: usize) -> LinkKind {
 }
 
 /// The simplices of dimension d − 1 that are a face of just one of dimension d.
-fn facets_of_one(complex: &SimplicialComplex, d: usize) -> impl Iterator<Item = &Simplex> {
-    let larger = move |s: &Simplex| complex.of_dimension(d).filter(|t| t.has_face(s)).count();
-    complex.of_dimension(d - 1).filter(move |s| larger(s) == 1)
+fn facets_of_one(complex: &SimplicialComplex, d: usize) -> impl Iterator<Item = Simplex> {
+    let mut larger: BTreeMap<Simplex, usize> = BTreeMap::new();
+    for facet in complex.of_dimension(d).flat_map(|s| s.faces(d - 1)) {
+        *larger.entry(facet).or_default() += 1;
+    }
+    larger.into_iter().filter(|(_, n)| *n == 1).map(|(facet, _)| facet)
 }
 
 /// The border: the simplices of dimension d − 1 that are a face of just one of dimension d, and their faces. Of a manifold
 /// it is a closed manifold of dimension d − 1 (ME-354).
 #[doc(alias = "ME-354")]
 pub fn border(complex: &SimplicialComplex, dimension: Dimension) -> SimplicialComplex {
-    SimplicialComplex::new(facets_of_one(complex, dimension as usize).cloned())
+    SimplicialComplex::new(facets_of_one(complex, dimension as usize))
 }

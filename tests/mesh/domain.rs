@@ -44,10 +44,19 @@ fn pair(sides: &mut Vec<Option<Side>>, edge: u32, free: bool, f: &mut impl FnMut
     sides[first] = None;
 }
 
-/// A random gluing: up to six polygons of one to six sides, sides paired at random, most pairs the orientable way where
-/// the gluing is to be so, with up to three free sides.
+/// A random gluing: up to six polygons of one to six sides.
 pub fn gluing() -> impl Strategy<Value = Gluing> {
-    let sizes = prop::collection::vec(1usize..7, 1..7);
+    gluing_of(6, 6)
+}
+
+/// A random gluing whose triangulation has at most 72 triangles.
+pub fn small_gluing() -> impl Strategy<Value = Gluing> {
+    gluing_of(2, 4)
+}
+
+/// Sides paired at random, all or two thirds of the pairs the orientable way, with up to three free sides.
+fn gluing_of(polygons_up_to: usize, sides_up_to: usize) -> impl Strategy<Value = Gluing> {
+    let sizes = prop::collection::vec(1..=sides_up_to, 1..=polygons_up_to);
     (sizes, any::<bool>(), 0usize..4, any::<u64>()).prop_map(|(sizes, orientable, free, seed)| {
         let n: usize = sizes.iter().sum();
         let mut state = seed | 1;

@@ -1,6 +1,6 @@
 //! Euler and Poincaré's formula against homology, normal forms, planted solids and counts of unit cubes.
 
-use crate::domain::{complex, disjoint, every_gluing, gluing, triangles};
+use crate::domain::{complex, disjoint, every_gluing, long, small_gluing, triangles};
 use isoracle::mesh::classify::ClosedSurface;
 use isoracle::mesh::euler::{Balance, EulerPoincare};
 use isoracle::mesh::examples::cube;
@@ -109,6 +109,8 @@ mod me_316 {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(if long() { 1000 } else { 64 }))]
+
         // C, G, H are known before the block is made.
         #[test]
         fn planted_holes_pits_and_cavities_are_found(kinds in kinds()) {
@@ -304,7 +306,7 @@ mod me_329 {
         }
 
         #[test]
-        fn surfaces_and_surfaces_pinched_are_balanced(gluing in gluing(), keep in 3u32..40) {
+        fn surfaces_and_surfaces_pinched_are_balanced(gluing in small_gluing(), keep in 3u32..40) {
             let faces = triangles(&gluing.triangulated());
             prop_assert_eq!(assert_balanced(&faces).pinches, 0);
             // Vertices of one number modulo `keep` become one, where no triangle or edge is lost by it.

@@ -1,6 +1,6 @@
 //! Manifold conditions by links, against homology of links, gluings, and Seifert and Threlfall's count.
 
-use crate::domain::{complex, cyclic_complexes, gluing, long, triangles};
+use crate::domain::{complex, cyclic_complexes, long, small_gluing, triangles};
 use isoracle::mesh::classify::{NoSurface, glued_triangles, mesh_surfaces, surfaces};
 use isoracle::mesh::examples::surfaces::{
     annulus, ball, cone, double_torus, dunce_hat, icosahedron, klein_bottle, moebius_band, projective_plane, sphere,
@@ -117,6 +117,8 @@ mod me_352 {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(if long() { 500 } else { 100 }))]
+
         // Any triangles on seven vertices; few are a surface.
         #[test]
         fn random_triangles_are_judged_by_homology(sets in prop::collection::btree_set(prop::collection::btree_set(0u32..7, 1..4), 1..12)) {
@@ -129,7 +131,7 @@ mod me_352 {
 
         // Surfaces, and the same with two vertices made one.
         #[test]
-        fn a_surface_with_two_vertices_made_one_is_none(gluing in gluing(), pick in any::<[prop::sample::Index; 2]>()) {
+        fn a_surface_with_two_vertices_made_one_is_none(gluing in small_gluing(), pick in any::<[prop::sample::Index; 2]>()) {
             let surface = gluing.triangulated();
             prop_assert_eq!(manifold_defects(&surface, Dimension::Two), []);
             prop_assert_eq!(surfaces(&surface).expect("a surface"), {
@@ -223,6 +225,8 @@ mod me_353 {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(if long() { 1000 } else { 64 }))]
+
         #[test]
         fn random_tetrahedra_are_judged_by_homology(sets in prop::collection::btree_set(prop::collection::btree_set(0u32..6, 4), 1..10)) {
             let simplices: Vec<Vec<u32>> = sets.into_iter().map(|s| s.into_iter().collect()).collect();
@@ -274,7 +278,7 @@ mod me_354 {
 
     proptest! {
         #[test]
-        fn a_gluing_and_its_triangulation_have_the_same_border(gluing in gluing()) {
+        fn a_gluing_and_its_triangulation_have_the_same_border(gluing in small_gluing()) {
             let curves = border(&gluing.triangulated(), Dimension::Two);
             prop_assert_eq!(curves.curve_defects(), []);
             prop_assert_eq!(curves.component_count(), gluing.boundary().len());
