@@ -24,6 +24,7 @@ pub struct Crossing {
 impl Gluing {
     /// An orientation, or a path that excludes one (ME-351).
     #[doc(alias = "ME-351")]
+    #[doc(alias = "ME-367")]
     pub fn orientation(&self) -> Orientation {
         let n = self.polygons().len();
         let mut turned: Vec<Option<bool>> = vec![None; n];

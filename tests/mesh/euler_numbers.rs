@@ -276,6 +276,36 @@ mod me_313 {
         assert_eq!(closed(&same), closed(&torus));
         assert_eq!(Ok(same), torus.with_inner_vertex(torus.of_dimension(2).next().expect("{0, 1, 3}"), 7).ok_or(()));
     }
+
+    /// V, E, F, H, C, G.
+    fn all(faces: &[Face]) -> [i64; 6] {
+        let count = count(faces);
+        let genus = count.genus();
+        assert!(genus.is_integer());
+        let g = genus.numer().to_i64().expect("small");
+        [count.vertices, count.edges, count.faces, count.holes, count.shells, g]
+    }
+
+    #[test]
+    fn local_operations_keep_the_genus_and_global_ones_change_genus_or_shells() {
+        let block = block_with_through_holes(0).faces;
+        let change = |faces: &[Face]| {
+            closed(faces);
+            let (before, after) = (all(&block), all(faces));
+            std::array::from_fn::<i64, 6, _>(|i| after[i] - before[i])
+        };
+        // In place of the last face, the left side 3 0 4 7.
+        let with = |new: &[&[u32]]| -> Vec<Face> {
+            block[..5].iter().cloned().chain(new.iter().map(|f| Face::new(*f))).collect()
+        };
+        assert_eq!(change(&with(&[&[3, 0, 4], &[3, 4, 7]])), [0, 1, 1, 0, 0, 0]);
+        assert_eq!(change(&with(&[&[3, 0, 8], &[0, 4, 8], &[4, 7, 8], &[7, 3, 8]])), [1, 4, 3, 0, 0, 0]);
+        assert_eq!(change(&cube_with_loop().faces), [4, 4, 1, 1, 0, 0]);
+        assert_eq!(change(&block_with_pit().faces), [8, 12, 5, 1, 0, 0]);
+        // Global ones.
+        assert_eq!(change(&block_with_through_holes(1).faces), [8, 12, 4, 2, 0, 1]);
+        assert_eq!(change(&block_with_cavity().faces), [8, 12, 6, 0, 1, 0]);
+    }
 }
 
 mod me_315 {
@@ -336,6 +366,12 @@ mod me_319 {
         }
         assert_eq!(conditions(&faces), [true, true, false]);
         assert_eq!(closed(&faces), [SPHERE]);
+        // Or where a bent line divides a face.
+        let mut faces = cube().faces;
+        faces[1] = Face::from([4, 5, 6, 8]);
+        faces.push(Face::from([4, 8, 6, 7]));
+        assert_eq!(numbers(&faces), [9, 14, 7]);
+        assert_eq!((conditions(&faces), closed(&faces)), ([true, true, false], vec![SPHERE]));
     }
 
     #[test]

@@ -8,4 +8,5 @@ mod euler_numbers;
 mod examples;
 mod figures;
 mod homology;
+mod implicit;
 mod manifold;
