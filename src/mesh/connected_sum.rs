@@ -1,5 +1,6 @@
 //! Connected sums, handles and cross-caps as operations on triangulated surfaces (ME-360 …).
 
+use super::manifold::{Dimension, border};
 use super::simplicial::{Simplex, SimplicialComplex};
 use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
@@ -10,6 +11,9 @@ pub enum SumError {
     /// The complex has no such triangle.
     #[error("there is no triangle {0:?}")]
     NoTriangle([u32; 3]),
+    /// A corner that is on the border of both complexes, by its number in the first.
+    #[error("vertex {0} is on the border of both")]
+    Border(u32),
     /// Two triangles of one complex that have a vertex in common.
     #[error("the triangles have vertex {0} in common")]
     Touching(u32),
@@ -30,7 +34,7 @@ fn triangle(complex: &SimplicialComplex, corners: [u32; 3]) -> Result<Simplex, S
 /// corner to corner in order. The first one keeps its vertex numbers. χ is the sum of both less 2.
 ///
 /// # Errors
-/// Iff one of them has no such triangle.
+/// Iff one of them has no such triangle, or a corner is on the border of both.
 #[doc(alias = "ME-360")]
 pub fn connected_sum(
     a: &SimplicialComplex,
@@ -39,6 +43,11 @@ pub fn connected_sum(
     to: [u32; 3],
 ) -> Result<SimplicialComplex, SumError> {
     let (out, into) = (triangle(a, at)?, triangle(b, to)?);
+    let [border_a, border_b] = [a, b].map(|complex| border(complex, Dimension::Two));
+    let is_in = |border: &SimplicialComplex, v: u32| border.contains(&Simplex::new(&[v]).expect("one vertex"));
+    if let Some((v, _)) = at.into_iter().zip(to).find(|(v, w)| is_in(&border_a, *v) && is_in(&border_b, *w)) {
+        return Err(SumError::Border(v));
+    }
     let free = a.of_dimension(0).map(|v| v.vertices()[0] + 1).max().unwrap_or(0);
     let others = b.of_dimension(0).map(|v| v.vertices()[0]).filter(|v| !to.contains(v));
     let mut name: BTreeMap<u32, u32> = others.zip(free..).collect();

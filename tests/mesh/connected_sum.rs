@@ -62,6 +62,42 @@ mod me_360 {
                 assert_eq!(sum.f_vector(), [v - 3, e - 3, f - 2]);
             }
         }
+        assert_refused();
+    }
+
+    // Wherever the triangles are, at the border too: loops of the border add.
+    #[test]
+    fn sums_of_surfaces_with_border_have_both_borders() {
+        let all = [ball(2), annulus(), moebius_band(), sphere(2), projective_plane()];
+        let only = |complex: &SimplicialComplex| surfaces(complex).expect("a surface")[0];
+        let mut met = 0;
+        for a in &all {
+            for b in &all {
+                for at in a.of_dimension(2) {
+                    let at = at.vertices().try_into().expect("three corners");
+                    let sum = match connected_sum(a, at, b, a_triangle(b)) {
+                        Ok(sum) => only(&sum),
+                        Err(SumError::Border(v)) => {
+                            let on_border =
+                                |c: &SimplicialComplex, v| border(c, Dimension::Two).contains(&simplex(&[v]));
+                            let i = at.iter().position(|w| *w == v).expect("a corner");
+                            assert!(on_border(a, v) && on_border(b, a_triangle(b)[i]));
+                            continue;
+                        }
+                        Err(other) => panic!("{other}"),
+                    };
+                    met += 1;
+                    let boundary_loops = only(a).boundary_loops + only(b).boundary_loops;
+                    assert_eq!(sum, Surface { closed: only(a).closed.sum(only(b).closed), boundary_loops });
+                }
+            }
+        }
+        assert_eq!(connected_sum(&ball(2), [0, 1, 2], &ball(2), [0, 1, 2]), Err(SumError::Border(0)));
+        // All pairs with a closed surface: 2 · 12 triangles, and 5 · 14.
+        assert!(met >= 24 + 70, "{met}");
+    }
+
+    fn assert_refused() {
         let torus = SimplicialComplex::torus();
         assert_eq!(connected_sum(&torus, [0, 1, 2], &torus, [0, 1, 3]), Err(SumError::NoTriangle([0, 1, 2])));
         assert_eq!(connected_sum(&torus, [0, 1, 3], &torus, [0, 0, 3]), Err(SumError::NoTriangle([0, 0, 3])));
