@@ -78,6 +78,16 @@ mod me_352 {
         assert_eq!(manifold_defects(&SimplicialComplex::default(), Dimension::Two), []);
     }
 
+    // Two circles have the χ of one, and their cones are discs.
+    #[test]
+    fn two_spheres_at_a_vertex_are_none() {
+        let spheres =
+            complex(&[[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3], [0, 4, 5], [0, 4, 6], [0, 5, 6], [4, 5, 6]]);
+        let link = ManifoldDefect::Link { simplex: simplex(&[0]), components: 2, chi: 0 };
+        assert_eq!(manifold_defects(&spheres, Dimension::Two), [link]);
+        assert_manifold_iff(&spheres, Dimension::Two);
+    }
+
     #[test]
     fn the_dunce_hat_is_no_surface_at_its_seam() {
         let defects = manifold_defects(&dunce_hat(), Dimension::Two);
@@ -179,6 +189,10 @@ mod me_353 {
             assert_eq!(manifold_defects(&cone(&surface), Dimension::Three), [at(tip)]);
             assert_eq!(manifold_defects(&suspension(&surface), Dimension::Three), [at(tip), at(tip + 1)]);
         }
+        // A torus beside a disc has χ = 1 and a border, and is no disc.
+        let both = cone(&SimplicialComplex::torus().disjoint_union(&ball(2)));
+        let link = ManifoldDefect::Link { simplex: simplex(&[10]), components: 2, chi: 1 };
+        assert_eq!(manifold_defects(&both, Dimension::Three), [link]);
         // The link of the tip has χ = 1 as a disc has, but no border.
         let closed = projective_plane();
         assert_eq!((closed.euler_characteristic(), border(&closed, Dimension::Two)), (1, SimplicialComplex::default()));
@@ -266,6 +280,9 @@ mod me_354 {
         assert_eq!(border(&ball(3), Dimension::Three), sphere(2));
         assert_eq!(border(&cone(&icosahedron()), Dimension::Three), icosahedron());
         assert_eq!(border(&ball(1), Dimension::One).f_vector(), [2]);
+        // An edge of three triangles is not in the border.
+        let book = border(&complex(&[[0, 1, 2], [0, 1, 3], [0, 1, 4]]), Dimension::Two);
+        assert_eq!((book.of_dimension(1).count(), book.contains(&simplex(&[0, 1]))), (6, false));
         for complex in (5..8).flat_map(|n| [cyclic_complexes(n, 2), cyclic_complexes(n, 3)]).flatten() {
             if manifold_defects(&complex, Dimension::Two).is_empty() {
                 assert_eq!(border(&complex, Dimension::Two).curve_defects(), []);
