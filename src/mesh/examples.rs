@@ -1,5 +1,9 @@
 //! Meshes to try things on.
 
+pub mod laminae;
+pub mod solids;
+pub mod surfaces;
+
 use super::face::Face;
 use super::vertex_list::{Point, VertexList};
 use crate::linear::Vector;
@@ -19,6 +23,7 @@ pub fn mesh<V: AsRef<[u32]>>(vertices: &[[i64; 3]], faces: &[V]) -> VertexList {
 }
 
 /// The cube [0, 1]³: 8 vertices, 12 edges, 6 squares, counterclockwise from outside.
+#[doc(alias = "ME-303")]
 pub fn cube() -> VertexList {
     mesh(
         &[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]],

@@ -1,0 +1,98 @@
+//! The flat objects of the text: two faces, or more, back to back, so that they can be taken in hand.
+
+use super::mesh;
+use crate::linear::Vector;
+use crate::mesh::face::Face;
+use crate::mesh::gluing::Gluing;
+use crate::mesh::vertex_list::{Point, VertexList};
+use crate::number::Rational;
+
+/// A polygon of the plane z = 1, counterclockwise, with its other side.
+pub fn lamina(polygon: &[[i64; 2]]) -> VertexList {
+    let front: Vec<u32> = (0..polygon.len() as u32).collect();
+    let back: Vec<u32> = front.iter().rev().copied().collect();
+    mesh(&at_height_1(polygon), &[front, back])
+}
+
+fn at_height_1(polygon: &[[i64; 2]]) -> Vec<[i64; 3]> {
+    polygon.iter().map(|[x, y]| [*x, *y, 1]).collect()
+}
+
+/// The text's square, hexagon and octagon: V = E = 4, 6, 8, F = 2. Its figures give no coordinates.
+#[doc(alias = "ME-302")]
+pub fn laminae() -> [VertexList; 3] {
+    [
+        lamina(&[[0, 0], [2, 0], [2, 2], [0, 2]]),
+        lamina(&[[0, 0], [4, 0], [4, 1], [1, 1], [1, 3], [0, 3]]),
+        lamina(&[[0, 0], [3, 0], [3, 1], [2, 1], [2, 3], [1, 3], [1, 1], [0, 1]]),
+    ]
+}
+
+/// The text's triangle: Vt1 = (5, 10, 1), Vt2 = (10, 0, 1), Vt3 = (0, 0, 1), faces Vt1 Vt2 Vt3 and Vt1 Vt3 Vt2.
+#[doc(alias = "ME-323")]
+pub fn triangle() -> VertexList {
+    mesh(&[[5, 10, 1], [10, 0, 1], [0, 0, 1]], &[[0, 1, 2], [0, 2, 1]])
+}
+
+/// The text's segment: a quadrilateral ever so thin, 1/1000 here, with its other side.
+#[doc(alias = "ME-325")]
+pub fn segment() -> VertexList {
+    lamina(&[[0, 0], [1000, 0], [1000, 1], [0, 1]])
+}
+
+/// The text's hollow triangle, as printed: Vt1 … Vt6, and faces from the edges At1 … At6 in the order of its lists.
+#[doc(alias = "ME-324")]
+pub fn hollow_triangle() -> VertexList {
+    let tenths = |x, y| Vector([Rational::from((x, 10)), Rational::from((y, 10)), Rational::from(1)]);
+    let vertices: [Point; 6] =
+        [tenths(50, 100), tenths(100, 0), tenths(0, 0), tenths(1, 1), tenths(99, 1), tenths(50, 99)];
+    let faces = vec![
+        // Ft1 = At1 At2 At3, At4 At6 At5.
+        Face { outer: vec![0, 1, 2], holes: vec![vec![3, 4, 5]] },
+        // Ft2 = At1 At3 At2, At4 At5 At6.
+        Face { outer: vec![1, 0, 2], holes: vec![vec![4, 3, 5]] },
+    ];
+    VertexList { vertices: vertices.to_vec(), faces }
+}
+
+/// The text's house, V1 … V6 numbered from 0: faces F1 … F4 as printed. The edge from V3 to V4 is in all four.
+#[doc(alias = "ME-326")]
+pub fn house() -> VertexList {
+    mesh(
+        &at_height_1(&[[2, 1], [5, 1], [5, 3], [2, 3], [3, 4], [4, 4]]),
+        &[[0, 1, 2, 3], [3, 2, 5, 4], [1, 0, 3, 2], [2, 3, 4, 5]],
+    )
+}
+
+/// The house with its edges A1 … A8 as printed, named a … h: c = A3 and h = A8 both join V3 and V4. F1 and F2, its front,
+/// have A3 in common, F3 and F4, its back, A8.
+pub fn house_by_edges() -> Gluing {
+    // a = V1V2, b = V2V3, c = V3V4, d = V4V5, e = V5V6, f = V6V3, g = V1V4, h = V3V4.
+    Gluing::from_words(&["abcG", "CFED", "AgHB", "hdef"]).expect("eight edges of two sides")
+}
+
+/// The same edges where F1 and F3 have A3 in common, F2 and F4 A8: two laminae.
+pub fn house_in_two() -> Gluing {
+    Gluing::from_words(&["abcG", "HFED", "AgCB", "hdef"]).expect("eight edges of two sides")
+}
+
+/// The house of eight triangles: the edges from V3 to V4 are two, and the front's inner edges are not the back's.
+#[doc(alias = "ME-330")]
+pub fn house_of_triangles() -> Gluing {
+    // At the front i = V1V3, j = V4V6, at the back k = V1V3, l = V4V6.
+    Gluing::from_words(&["abI", "icG", "CFJ", "jED", "AkB", "gHK", "hlf", "deL"]).expect("twelve edges of two sides")
+}
+
+/// The house in space, from z = 0 to z = 1: the outline's hexagon as a prism, both ends with the edge from V3 to V4, now two
+/// edges of different ends.
+pub fn house_prism() -> VertexList {
+    let outline = [[2, 1], [5, 1], [5, 3], [2, 3], [3, 4], [4, 4]];
+    let at = |z: i64| outline.map(|[x, y]| [x, y, z]);
+    let around = [0, 1, 2, 5, 4, 3];
+    let walls = (0..6).map(|i| {
+        let [a, b] = [around[i], around[(i + 1) % 6]];
+        vec![a, b, b + 6, a + 6]
+    });
+    let ends = [vec![6, 7, 8, 9], vec![9, 8, 11, 10], vec![1, 0, 3, 2], vec![2, 3, 4, 5]];
+    mesh(&[at(0), at(1)].concat(), &ends.into_iter().chain(walls).collect::<Vec<_>>())
+}
