@@ -186,6 +186,22 @@ fn all_quadrangles_and_some_pentagons_of_a_grid_cross_themselves_as_by_brute_for
 }
 
 #[test]
+fn flips_of_faces_change_nothing_about_orientability() {
+    let orientable = [tetrahedron(), cube(), specimens::lamina()].map(|mesh| (mesh, true));
+    let not = [specimens::moebius_band(), specimens::projective_plane()].map(|mesh| (mesh, false));
+    for (mesh, expected) in orientable.into_iter().chain(not) {
+        for flips in 0_u32..1 << mesh.faces.len() {
+            let flip = |(i, face): (usize, &Face)| if flips >> i & 1 == 1 { face.reversed() } else { face.clone() };
+            let flipped = VertexList { faces: mesh.faces.iter().enumerate().map(flip).collect(), ..mesh.clone() };
+            let report = check(&flipped, None);
+            let counts = report.counts.expect("in range");
+            assert_eq!(counts.orientable, expected, "{flips:b}");
+            assert_eq!(report.defects.has(Category::NonOrientable), counts.closed && !expected, "{flips:b}");
+        }
+    }
+}
+
+#[test]
 fn an_open_band_with_a_half_twist_is_not_orientable_but_that_is_no_defect() {
     let report = check(&specimens::moebius_band(), None);
     assert_eq!(categories(&report.defects), [Category::BoundaryEdge, Category::InconsistentWindingEdge]);
