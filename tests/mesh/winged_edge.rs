@@ -273,6 +273,9 @@ mod me_243 {
         let wings = WingedEdges::try_from(&list).expect("it can be held");
         let mesh = HalfEdges::from(&wings);
         assert_eq!(mesh.boundary_loops().iter().map(Vec::len).collect::<Vec<_>>(), [3, 2]);
+        // It is used by no polygon, so it is none of the edges used once.
+        let once = [list.boundary_edges(), wings.boundary_edges(), mesh.boundary_edges()];
+        assert!(once.into_iter().all(|edges| edges.expect("sound").answer == [0, 1, 2].map(EdgeId)));
         assert_eq!(WingedEdges::from(&mesh), wings);
         assert_eq!(EdgeList::from(&mesh), list);
     }
