@@ -16,7 +16,7 @@ pub enum Dimension {
 
 /// What a complex is, as the link of a simplex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum LinkKind {
+enum LinkKind {
     /// A sphere: the simplex is in the interior.
     Sphere,
     /// A ball: the simplex is in the border.
