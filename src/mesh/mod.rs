@@ -5,6 +5,7 @@ pub mod angle_deficit;
 pub mod cells;
 pub mod examples;
 pub mod face;
+pub mod fast;
 pub mod realisation;
 pub mod simplicial;
 pub mod triangles;
