@@ -7,6 +7,7 @@ use crate::isosurface::square::DegenerateSquare;
 use crate::isosurface::tetrahedra::DegenerateSample;
 use crate::isosurface::triangle::DegeneratePoint;
 use crate::isosurface::volume::DegenerateCell;
+use crate::mesh::plane::NoPlane;
 use crate::number::Rational;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -79,6 +80,9 @@ pub enum Refusal {
     /// A sample of the volume equals the isovalue.
     #[error("{0}")]
     DegenerateSample(#[from] DegenerateSample),
+    /// The polygon has no plane.
+    #[error("polygon: {0}")]
+    NoPlane(#[from] NoPlane),
     /// An operation panicked: our fault.
     #[error("a bug in the oracle: {0}")]
     Panic(String),
@@ -126,7 +130,8 @@ impl Refusal {
             | Refusal::DegenerateSquare(_)
             | Refusal::DegenerateGridSquare(_)
             | Refusal::DegeneratePoint(_)
-            | Refusal::DegenerateSample(_) => Some(Kind::Degenerate),
+            | Refusal::DegenerateSample(_)
+            | Refusal::NoPlane(_) => Some(Kind::Degenerate),
             Refusal::Panic(_) => Some(Kind::Internal),
         }
     }

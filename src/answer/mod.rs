@@ -8,6 +8,7 @@
 
 pub mod isosurface;
 pub mod mesh;
+pub mod mesh_check;
 pub mod message;
 pub mod trilinear;
 pub mod value;
@@ -42,6 +43,8 @@ pub const OPERATIONS: &[(&str, Operation)] = &[
     ("isosurface.polyline", isosurface::polyline),
     ("isosurface.tetrahedra", isosurface::tetrahedra),
     ("trilinear.evaluate", trilinear::evaluate),
+    ("mesh.check", mesh_check::check),
+    ("mesh.plane", mesh_check::plane),
 ];
 
 /// Answers every line of the input, in order, each flushed as soon as it and those before it are known;

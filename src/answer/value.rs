@@ -3,8 +3,8 @@
 use crate::format::FormatError;
 use crate::isosurface::polyline::RasterError;
 use crate::isosurface::volume::VolumeError;
-use crate::number::Rational;
 use crate::number::text::{self, NumberError};
+use crate::number::{Integer, Rational};
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 use std::fmt::{self, Display, Formatter};
@@ -23,6 +23,8 @@ pub enum Step {
     Field(&'static str),
     /// Into the item of this index.
     Item(usize),
+    /// Into the field that is named by this number.
+    Key(usize),
 }
 
 /// A field of a question that cannot be read: where it is, such as `volume.shape[1]`, and what is wrong.
@@ -72,8 +74,32 @@ pub enum Problem {
     /// The shape asks for too many samples.
     #[error("more than the limit of 2²⁸ samples")]
     TooManySamples,
-    /// A volume that is given by shape and values, and by a file.
-    #[error("stands beside `file`; a volume is given by one of the two")]
+    /// It is no integer.
+    #[error("expected an integer, found {0}")]
+    Integer(Rational),
+    /// It is no number that a vertex could have.
+    #[error("expected a vertex number, found {0}")]
+    VertexNumber(Integer),
+    /// Holes of a face that does not exist.
+    #[error("there is no such face; there are {faces}")]
+    NoSuchFace {
+        /// How many faces there are.
+        faces: usize,
+    },
+    /// A vertex in a file has a coordinate that is no number.
+    #[error("vertex {vertex} has a coordinate that is NaN or infinite")]
+    NotFinite {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// It is no polygon.
+    #[error("a polygon has at least 3 vertices, found {found}")]
+    FewVertices {
+        /// How many there are.
+        found: usize,
+    },
+    /// A volume or a mesh that is given in line and by a file.
+    #[error("stands beside `file`; one of the two gives the data")]
     BesideFile,
     /// Shape and values do not make a volume; its message names the field.
     #[error("{0}")]
@@ -122,6 +148,11 @@ impl InvalidField {
             | Problem::Length { .. }
             | Problem::Word { .. }
             | Problem::Side(_)
+            | Problem::Integer(_)
+            | Problem::VertexNumber(_)
+            | Problem::NoSuchFace { .. }
+            | Problem::NotFinite { .. }
+            | Problem::FewVertices { .. }
             | Problem::BesideFile
             | Problem::Volume(_)
             | Problem::VolumeFile(_)
@@ -137,6 +168,7 @@ impl Display for InvalidField {
                 Step::Field(name) if depth == 0 => write!(f, "{name}")?,
                 Step::Field(name) => write!(f, ".{name}")?,
                 Step::Item(index) => write!(f, "[{index}]")?,
+                Step::Key(number) => write!(f, ".{number}")?,
             }
         }
         let separator = match &self.problem {

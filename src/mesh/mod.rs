@@ -3,9 +3,11 @@
 
 pub mod angle_deficit;
 pub mod cells;
+pub mod defects;
 pub mod examples;
 pub mod face;
 pub mod fast;
+pub mod plane;
 pub mod realisation;
 pub mod simplicial;
 pub mod triangles;

@@ -65,6 +65,8 @@ fn hello_names_the_oracle_and_its_operations() {
         "isosurface.polyline",
         "isosurface.tetrahedra",
         "trilinear.evaluate",
+        "mesh.check",
+        "mesh.plane",
     ];
     assert_eq!(out["ops"], json!(ops));
     for op in ops {
