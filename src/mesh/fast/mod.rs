@@ -19,8 +19,9 @@ pub mod volume;
 
 pub use audit::{Mismatch, audit};
 pub use polygons::{Polygons, Unsound};
-pub use report::{Category, Component, Counts, Elements, Report};
+pub use report::{Component, Elements, Report};
 
+use crate::mesh::defects::{Category, Counts};
 use crate::mesh::triangles::EdgeKey;
 use crate::number::{OrderedField, Sign};
 use edges::{FaceOf, Side, Uses};
@@ -77,16 +78,16 @@ pub fn check(mesh: &Polygons, tell: impl Fn(&'static str)) -> Report {
     let volume_sign = volume.as_ref().map(OrderedField::sign);
     let area = area::area(mesh, if mesh.faces() <= SMALL { 128 } else { area::WORD_BITS });
     let manifold = closed && consistent && orientable && found.nonmanifold.is_empty();
-    let [v, e, f] = [used.iter().filter(|used| **used).count(), edges.len(), mesh.faces()].map(|n| n as u64);
-    let (c, chi) = (components.len() as u64, v as i64 - e as i64 + f as i64);
+    let vertices = used.iter().filter(|used| **used).count();
+    let chi = vertices as i64 - edges.len() as i64 + mesh.faces() as i64;
     let counts = Counts {
-        V: v,
-        E: e,
-        F: f,
-        H: 0,
-        C: c,
+        vertices,
+        edges: edges.len(),
+        faces: mesh.faces(),
+        holes: 0,
+        components: components.len(),
         chi,
-        G: manifold.then(|| c as i64 - chi / 2),
+        genus: (manifold && chi % 2 == 0).then(|| components.len() as i64 - chi / 2),
         closed,
         orientable,
         manifold,
@@ -94,25 +95,25 @@ pub fn check(mesh: &Polygons, tell: impl Fn(&'static str)) -> Report {
     };
     let isolated = (0..).zip(&used).filter(|(_, used)| !**used).map(|(vertex, _)| vertex).collect();
     let defects = [
-        (Category::FewerThanThreeVertices, Elements::Faces(found.lt3)),
-        (Category::RepeatedVertex, Elements::Faces(found.repeated)),
-        (Category::DegenerateEdge, Elements::Faces(found.degenerate)),
+        (Category::FaceLt3Vertices, Elements::Faces(found.lt3)),
+        (Category::RepeatedVertexInLoop, Elements::Faces(found.repeated)),
+        (Category::DegenerateEdgeSameIndex, Elements::Faces(found.degenerate)),
         (Category::ZeroLengthEdge, Elements::Edges(found.zero_length)),
         (Category::BoundaryEdge, Elements::Edges(found.boundary)),
-        (Category::UsedMoreThanTwice, Elements::Edges(found.gt2)),
-        (Category::OddUse, Elements::Edges(found.odd)),
-        (Category::TwiceInOneFace, Elements::Edges(found.twice)),
-        (Category::InconsistentWinding, Elements::Edges(found.inconsistent)),
+        (Category::EdgeUsedGt2, Elements::Edges(found.gt2)),
+        (Category::EdgeOddUse, Elements::Edges(found.odd)),
+        (Category::EdgeTwiceInSameFace, Elements::Edges(found.twice)),
+        (Category::InconsistentWindingEdge, Elements::Edges(found.inconsistent)),
         (Category::IsolatedVertex, Elements::Vertices(isolated)),
-        (Category::DuplicatePosition, Elements::Groups(duplicate_positions)),
-        (Category::DuplicateFace, Elements::Groups(duplicate_faces)),
-        (Category::ZeroArea, Elements::Faces(found.zero_area)),
-        (Category::Nonplanar, Elements::Faces(found.nonplanar)),
-        (Category::ZeroSignedArea, Elements::Faces(found.zero_signed_area)),
-        (Category::SelfCrossing, Elements::Faces(found.self_crossing)),
+        (Category::DuplicateVertexPosition, Elements::VertexGroups(duplicate_positions)),
+        (Category::DuplicateFace, Elements::FaceGroups(duplicate_faces)),
+        (Category::ZeroAreaFace, Elements::Faces(found.zero_area)),
+        (Category::NonplanarFace, Elements::Faces(found.nonplanar)),
+        (Category::ZeroSignedAreaFace, Elements::Faces(found.zero_signed_area)),
+        (Category::SelfCrossingLoop, Elements::Faces(found.self_crossing)),
         (Category::TJunction, Elements::Junctions(junctions)),
         (Category::NonmanifoldVertex, Elements::Vertices(found.nonmanifold)),
-        (Category::FewerThanTwoEdges, Elements::Vertices(found.lt2)),
+        (Category::VertexLt2Edges, Elements::Vertices(found.lt2)),
     ];
     let whole = [
         (Category::NonOrientable, closed && !orientable),
