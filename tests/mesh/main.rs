@@ -1,3 +1,4 @@
 //! Polygon meshes: each entry of spec/mesh.md against a second derivation.
 
 mod examples;
+mod fast;
