@@ -23,7 +23,12 @@ fn main() {
     let rows = (triangles / 2 / columns).max(3);
     torus(&path, columns, rows, shuffled).expect("the file can be written");
     let bytes = fs::metadata(&path).expect("it was written").len();
-    println!("{} triangles, {} MB, binary32{}", 2 * columns * rows, bytes / 1_000_000, if shuffled { ", shuffled" } else { "" });
+    println!(
+        "{} triangles, {} MB, binary32{}",
+        2 * columns * rows,
+        bytes / 1_000_000,
+        if shuffled { ", shuffled" } else { "" }
+    );
     let start = Instant::now();
     let mut child = Command::new(env!("CARGO_BIN_EXE_isoracle"))
         .args(["check", "mesh"])

@@ -65,9 +65,7 @@ impl Serialize for ElementsOut<'_> {
         match self.elements {
             Elements::Faces(list) | Elements::Vertices(list) => serializer.collect_seq(list.iter().take(show)),
             Elements::Edges(list) => serializer.collect_seq(list.iter().take(show)),
-            Elements::VertexGroups(list) | Elements::FaceGroups(list) => {
-                serializer.collect_seq(list.iter().take(show))
-            }
+            Elements::VertexGroups(list) | Elements::FaceGroups(list) => serializer.collect_seq(list.iter().take(show)),
             Elements::Junctions(list) => serializer.collect_seq(list.iter().take(show)),
             Elements::Whole => serializer.collect_seq([true]),
         }

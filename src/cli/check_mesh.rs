@@ -106,7 +106,10 @@ impl Mesh {
         writeln!(out, "{}: {}", self.file.display(), verdict(report))?;
         if let (Some(corners), Some(counts)) = (welded_from, &report.counts) {
             let [corners, vertices] = [corners, counts.vertices].map(grouped);
-            writeln!(out, "note: an STL shares no vertices; its {corners} corners were welded to {vertices} at equal positions")?;
+            writeln!(
+                out,
+                "note: an STL shares no vertices; its {corners} corners were welded to {vertices} at equal positions"
+            )?;
         }
         if let Some(counts) = &report.counts {
             write_counts(&mut out, counts, &report.components, show)?;
@@ -118,7 +121,8 @@ impl Mesh {
             writeln!(out, "  area     {exactly}")?;
         }
         for (heading, serious) in [("defects:", true), ("warnings:", false)] {
-            let mut defects = report.defects.iter().filter(|(category, _)| is_serious(**category) == serious).peekable();
+            let mut defects =
+                report.defects.iter().filter(|(category, _)| is_serious(**category) == serious).peekable();
             if defects.peek().is_some() {
                 writeln!(out, "{heading}")?;
             }
@@ -157,7 +161,9 @@ fn verdict(report: &Report) -> &'static str {
         Some(_) if serious.is_empty() && report.defects.is_empty() => "sound, the boundary of a solid",
         Some(_) if serious.is_empty() => "sound, the boundary of a solid, with warnings",
         Some(_) if with_boundary => "open, a surface with a boundary, but no closed boundary of a solid",
-        Some(counts) if serious == [Category::InsideOut] && counts.closed => "inside out, a closed surface that looks inward",
+        Some(counts) if serious == [Category::InsideOut] && counts.closed => {
+            "inside out, a closed surface that looks inward"
+        }
         Some(_) => "defective, no closed boundary of a solid",
     }
 }
