@@ -2,3 +2,4 @@
 
 mod examples;
 mod fast;
+mod fast_exact;
