@@ -6,6 +6,7 @@ use isoracle::answer::mesh_report::{ReportOut, area_digits};
 use isoracle::format::{self, FormatError};
 use isoracle::mesh::defects::{Category, Counts};
 use isoracle::mesh::fast::{self, Component, Elements, Mismatch, Polygons, Report, Unsound};
+use isoracle::number::Rational;
 use isoracle::number::decimal::{DecimalEnclosure, Digits};
 use isoracle::number::text::exact_text;
 use miette::Diagnostic;
@@ -115,10 +116,9 @@ impl Mesh {
             write_counts(&mut out, counts, &report.components, show)?;
         }
         if let Some(area) = &report.area {
-            let exact = area.lo == area.hi;
-            let digits = decimal(&area_digits(area));
-            let exactly = if exact { format!("{} exactly", short(&area.lo)) } else { digits };
-            writeln!(out, "  area     {exactly}")?;
+            let exact = (area.lo == area.hi).then(|| short(&area.lo)).flatten();
+            let area = exact.map_or_else(|| decimal(&area_digits(area)), |exact| format!("{exact} exactly"));
+            writeln!(out, "  area     {area}")?;
         }
         for (heading, serious) in [("defects:", true), ("warnings:", false)] {
             let mut defects =
@@ -158,13 +158,13 @@ fn verdict(report: &Report) -> &'static str {
     let with_boundary = serious.iter().all(|category| matches!(category, Category::BoundaryEdge));
     match &report.counts {
         None => "unusable: a face names a vertex that does not exist",
-        Some(_) if serious.is_empty() && report.defects.is_empty() => "sound, the boundary of a solid",
-        Some(_) if serious.is_empty() => "sound, the boundary of a solid, with warnings",
-        Some(_) if with_boundary => "open, a surface with a boundary, but no closed boundary of a solid",
+        Some(_) if serious.is_empty() && report.defects.is_empty() => "sound, a closed oriented surface",
+        Some(_) if serious.is_empty() => "sound, a closed oriented surface, with warnings",
+        Some(_) if with_boundary => "open, a surface with a boundary, so not the boundary of a solid",
         Some(counts) if serious == [Category::InsideOut] && counts.closed => {
             "inside out, a closed surface that looks inward"
         }
-        Some(_) => "defective, no closed boundary of a solid",
+        Some(_) => "defective, not the boundary of a solid",
     }
 }
 
@@ -178,18 +178,23 @@ fn write_counts(out: &mut impl Write, counts: &Counts, components: &[Component],
     writeln!(out, "  {}", facts.join(", "))?;
     let alone = components.len() == 1 && counts.genus.is_some();
     for component in components.iter().take(if alone { 0 } else { show }) {
-        let genus = component.genus.map_or("no surface".to_owned(), |genus| format!("genus {genus}"));
+        let loops = component.boundary_loops;
+        let genus = component.genus.map(|genus| format!("genus {genus}, boundary loops {loops}"));
+        let genus = genus.unwrap_or("genus not defined".to_owned());
         let faces = grouped(component.faces as usize);
         let plural = if component.faces == 1 { "" } else { "s" };
-        writeln!(out, "    component of {faces} face{plural}: {genus}, boundary loops {}", component.boundary_loops)?;
+        writeln!(out, "    component of {faces} face{plural}: {genus}")?;
     }
     if !alone && components.len() > show {
         writeln!(out, "    … and {} more components", grouped(components.len() - show))?;
     }
     if let Some(volume) = &counts.volume {
         let digits = decimal(&DecimalEnclosure::of(volume, Digits::new(20).expect("few digits")));
-        let exact = short(volume);
-        writeln!(out, "  volume   {exact}{}", if exact == digits { String::new() } else { format!(" = {digits}") })?;
+        match short(volume) {
+            Some(exact) if exact == digits => writeln!(out, "  volume   {exact}")?,
+            Some(exact) => writeln!(out, "  volume   {exact} = {digits}")?,
+            None => writeln!(out, "  volume   {digits} (p/q with --json)")?,
+        }
     }
     Ok(())
 }
@@ -265,10 +270,9 @@ fn meaning(category: Category) -> &'static str {
     }
 }
 
-/// p/q where that is short, else a hint where it is found.
-fn short(x: &isoracle::number::Rational) -> String {
-    let text = exact_text(x);
-    if text.len() <= 60 { text } else { format!("p/q of {} characters (--json)", text.len()) }
+/// p/q, where that is short.
+fn short(x: &Rational) -> Option<String> {
+    Some(exact_text(x)).filter(|text| text.len() <= 60)
 }
 
 /// The digits that both bounds share, with dots where more follow.

@@ -33,7 +33,7 @@ pub fn area(mesh: &Polygons, bits: u32) -> Area {
         }
     }
     let lo = lo.total();
-    Area { hi: Rational::from(&lo + slack.total()), lo }
+    Area { hi: &lo + slack.total(), lo }
 }
 
 /// Adds ½√(n·n) for n = Σ (vᵢ − v₀) × (vᵢ₊₁ − v₀), an integer vector in units of the square of the coordinates' unit 2^q.

@@ -150,7 +150,7 @@ fn boxed_vertices(mesh: &Polygons, items: &BTreeSet<Item>) -> Vec<Vec<u32>> {
     };
     let mut used = vec![false; points.len()];
     mesh.corners().iter().for_each(|&v| used[v as usize] = true);
-    let mut slabs: Vec<Vec<(usize, [[f64; 3]; 2], bool)>> = vec![Vec::new(); SLABS + 1];
+    let mut slabs = vec![Vec::new(); SLABS + 1];
     for (i, item) in items.iter().enumerate() {
         if let Some([a, b]) = corners(item) {
             for slab in &mut slabs[slab(a[0].min(b[0]))..=slab(a[0].max(b[0]))] {

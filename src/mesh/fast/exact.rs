@@ -53,11 +53,11 @@ fn side_filter(a: &Point, b: &Point, c: &Point, d: &Point) -> Option<Sign> {
         return None;
     }
     let (mut value, mut permanent) = (0.0, 0.0);
-    for i in 0..3 {
+    for (i, u) in u.iter().enumerate() {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         let (p, q) = (v[j] * w[k], v[k] * w[j]);
-        value += u[i] * (p - q);
-        permanent += u[i].abs() * (p.abs() + q.abs());
+        value += u * (p - q);
+        permanent += u.abs() * (p.abs() + q.abs());
     }
     beyond(value, 8.0 * EPSILON * permanent + 2_f64.powi(-800))
 }
