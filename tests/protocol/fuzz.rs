@@ -16,6 +16,8 @@ fn nearly_a_question() -> impl Strategy<Value = Vec<u8>> {
         r#"{"id":2,"op":"isosurface.mesh","in":{"volume":{"shape":[2,2,2],"values":[1,-2,3,-4,5,-6,7,-8]},"isovalue":-0.5}}"#,
         r#"{"id":3,"op":"isosurface.polyline","in":{"shape":[3,2],"values":[1,-2,3,-4,5,-6],"isovalue":0,"method":"squares"}}"#,
         r#"{"id":4,"op":"trilinear.evaluate","in":{"values":[1,2,3,4,5,6,7,9],"points":[[0.5,"1/2",0]]}}"#,
+        r#"{"id":5,"op":"mesh.check","in":{"vertices":[[0,0,0],[3,0,0],[0,3,0],[1,1,0],[2,1,0],[1,2,0],[0,0,"1/2"]],"faces":[[0,1,2],[0,6,1],[1,6,2],[2,6,0]],"holes":{"0":[[3,5,4]]},"edges":[[0,1],[2,1]],"edge_faces":[[0,1],[0]]}}"#,
+        r#"{"id":6,"op":"mesh.plane","in":{"polygon":[[0,0,0],[1,0,"1/3"],[1,1,0.5],[0,1,0]]}}"#,
     ]);
     let byte = prop_oneof![3 => prop::sample::select(b"{}[]\":,0123456789.-+eE/xNI\\ ntfu".to_vec()), 1 => any::<u8>()];
     let change = (any::<prop::sample::Index>(), byte, 0..4_u8);

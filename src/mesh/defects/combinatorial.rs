@@ -5,6 +5,7 @@ use crate::mesh::face::{edge, sides};
 use crate::mesh::triangles::EdgeKey;
 use crate::mesh::vertex_list::VertexList;
 use crate::partition::Partition;
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// One side of one loop.
@@ -60,8 +61,8 @@ pub fn out_of_range(mesh: &VertexList, defects: &mut Defects) {
     }
 }
 
-/// Each loop by itself. With 3 or more different vertices in every loop none of these, and every used vertex has two
-/// neighbours or more (ME-103).
+/// Each loop by itself. A loop of 3 or more vertices, none twice, has none of these, and its vertices have two
+/// neighbours or more (ME-103, ME-108).
 #[doc(alias = "ME-103")]
 pub fn loops(mesh: &VertexList, defects: &mut Defects) {
     for (i, face) in mesh.faces.iter().enumerate() {
@@ -185,15 +186,28 @@ pub fn duplicate_faces(mesh: &VertexList, defects: &mut Defects) {
     }
 }
 
-/// The least of all rotations of a cycle, in both directions; it begins with the least vertex.
+/// The least of all rotations of a cycle, in both directions.
 fn least_rotation(cycle: &[u32]) -> Vec<u32> {
-    let least = cycle.iter().min();
-    let starts = |cycle: &[u32]| (0..cycle.len()).filter(|i| Some(&cycle[*i]) == least).collect::<Vec<_>>();
-    let rotation = |cycle: &[u32], i: usize| [&cycle[i..], &cycle[..i]].concat();
     let backwards: Vec<u32> = cycle.iter().rev().copied().collect();
-    [cycle, &backwards]
-        .into_iter()
-        .flat_map(|cycle| starts(cycle).into_iter().map(move |i| rotation(cycle, i)))
-        .min()
-        .unwrap_or_default()
+    let least = |cycle: &[u32]| {
+        let (before, from) = cycle.split_at(least_start(cycle));
+        [from, before].concat()
+    };
+    least(cycle).min(least(&backwards))
+}
+
+/// Where the least rotation of a cycle begins, in linear time: of two candidates that agree in k places and differ in the
+/// next, the greater loses, and so does each of the k that follow it.
+fn least_start(cycle: &[u32]) -> usize {
+    let n = cycle.len();
+    let (mut i, mut j, mut k) = (0, 1, 0);
+    while i < n && j < n && k < n {
+        match cycle[(i + k) % n].cmp(&cycle[(j + k) % n]) {
+            Ordering::Equal => k += 1,
+            Ordering::Less => (j, k) = (j + k + 1, 0),
+            Ordering::Greater => (i, k) = (i + k + 1, 0),
+        }
+        j += usize::from(i == j);
+    }
+    i.min(j)
 }

@@ -215,6 +215,7 @@ pub struct Report {
 ///
 /// No category tells whether two faces cut each other, or whether a hole lies inside its face (ME-129).
 #[doc(alias = "ME-104")]
+#[doc(alias = "ME-105")]
 #[doc(alias = "ME-129")]
 pub fn check(mesh: &VertexList, listed: Option<&ListedEdges>) -> Report {
     let mut defects = Defects::default();
