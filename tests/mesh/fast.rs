@@ -193,6 +193,25 @@ proptest! {
     }
 }
 
+/// One loop in a slanted plane, its vertices on a small grid: it crosses itself, turns back, has no signed area.
+fn plane_loop() -> impl Strategy<Value = Polygons> {
+    prop::collection::vec((0..5_i32, 0..5_i32, 0..40_u8), 3..9).prop_map(|corners| {
+        let at =
+            |(x, y, off): &(i32, i32, u8)| [f64::from(*x), f64::from(*y), f64::from(x + 2 * y + i32::from(*off == 0))];
+        let vertices: Vec<[f64; 3]> = corners.iter().map(at).collect();
+        polygons(&vertices, &[(0..vertices.len() as u32).collect()])
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1500))]
+
+    #[test]
+    fn loops_in_a_plane_are_checked_as_by_the_plain_version(mesh in plane_loop()) {
+        assert_as_plain(&mesh);
+    }
+}
+
 /// Three triangles round an edge, one of them twice, a lone vertex, two at one position, one inside an edge, a bow tie.
 fn spoilt() -> Polygons {
     let vertices = [
