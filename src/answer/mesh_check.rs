@@ -49,7 +49,8 @@ fn element(element: &Element) -> Value {
     }
 }
 
-struct CountsOut(Counts);
+/// The numbers of a mesh, by the symbols of χ = V − E + F − H = 2(C − G).
+pub(super) struct CountsOut(pub Counts);
 
 impl Serialize for CountsOut {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

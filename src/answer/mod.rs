@@ -10,6 +10,7 @@ pub mod angle_deficits;
 pub mod isosurface;
 pub mod mesh;
 pub mod mesh_check;
+pub mod mesh_report;
 pub mod message;
 pub mod trilinear;
 pub mod value;

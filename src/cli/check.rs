@@ -1,5 +1,6 @@
 //! `isoracle check`.
 
+use super::check_mesh::Mesh;
 use super::{input, progress};
 use clap::{Args, Subcommand};
 use isoracle::format::{self, FormatError};
@@ -30,6 +31,7 @@ pub struct Check {
 #[derive(Subcommand)]
 enum What {
     Isosurface(Isosurface),
+    Mesh(Mesh),
 }
 
 /// Check a mesh as the isosurface {f = c} of a volume, cell by cell and as a whole.
@@ -45,7 +47,7 @@ struct Isosurface {
     /// c, exactly: 40, -1/3, 0.1 (one tenth, not the binary64 nearest to it), 0x1.8p-3.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = text::parse)]
     isovalue: Rational,
-    /// The mesh, in grid coordinates: a .ply, .obj or .stl file.
+    /// The mesh, in grid coordinates: a .ply, .obj, .stl or .off file.
     #[arg(long, value_name = "FILE")]
     mesh: PathBuf,
     /// How far a vertex may be from the true crossing, in units in the last place of binary32.
@@ -65,7 +67,7 @@ Example:
 #[derive(Debug, Error, Diagnostic)]
 enum Failure {
     #[error("--mesh: {0}")]
-    #[diagnostic(help("a mesh is a .ply, .obj or .stl file"))]
+    #[diagnostic(help("a mesh is a .ply, .obj, .stl or .off file"))]
     Mesh(FormatError),
     #[error("--mesh: a face with {0} corners")]
     #[diagnostic(help("an isosurface mesh is made of triangles"))]
@@ -74,8 +76,10 @@ enum Failure {
 
 impl Check {
     pub fn run(self) -> miette::Result<ExitCode> {
-        let What::Isosurface(check) = self.what;
-        check.run()
+        match self.what {
+            What::Isosurface(check) => check.run(),
+            What::Mesh(check) => check.run(),
+        }
     }
 }
 

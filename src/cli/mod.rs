@@ -6,6 +6,7 @@
 mod answer;
 mod candidate;
 mod check;
+mod check_mesh;
 mod demo;
 mod input;
 mod isosurface;

@@ -10,13 +10,18 @@
 //! | [`ply`] | | `.ply` | ascii, binary of both byte orders |
 //! | [`stl`] | | `.stl` | ascii, binary |
 //! | [`obj`] | | `.obj` | positions and faces |
+//! | [`off`] | | `.off` | ascii: positions and faces, colours and normals passed over |
 
+mod flat;
 pub mod npy;
 pub mod nrrd;
 pub mod obj;
+pub mod off;
 pub mod ply;
+mod ply_binary;
 pub mod stl;
 
+pub use flat::FlatMesh;
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -291,26 +296,35 @@ pub fn write_volume(path: &Path, volume: &VolumeRecord) -> Result<(), FormatErro
     })
 }
 
-/// Reads the mesh of a `.ply`, `.stl` or `.obj` file.
+/// Reads the mesh of a `.ply`, `.stl`, `.obj` or `.off` file.
 pub fn read_mesh(path: &Path) -> Result<MeshRecord, FormatError> {
+    read_flat_mesh(path).map(MeshRecord::from)
+}
+
+/// [`read_mesh`] into flat arrays: no list a face, so that tens of millions of triangles fit.
+pub fn read_flat_mesh(path: &Path) -> Result<FlatMesh, FormatError> {
     at(path, || match extension(path).as_str() {
-        "ply" => ply::read(open(path)?),
-        "stl" => stl::read(open(path)?),
-        "obj" => obj::read(open(path)?),
-        _ => Err(unknown_extension(path, "ply, stl, obj")),
+        "ply" => ply::read_flat(open(path)?),
+        "stl" => stl::read_flat(open(path)?),
+        "obj" => obj::read_flat(open(path)?),
+        "off" => off::read_flat(open(path)?),
+        _ => Err(unknown_extension(path, MESHES)),
     })
 }
 
-/// Writes a mesh as `.ply` (binary, little endian, double), `.obj` (shortest decimals), or `.stl` (binary).
+const MESHES: &str = "ply, stl, obj, off";
+
+/// Writes a mesh as `.ply` (binary, little endian, double), `.obj` or `.off` (shortest decimals), or `.stl` (binary).
 ///
-/// PLY and OBJ keep every position exactly; STL rounds each coordinate to the nearest binary32, since it has no other
+/// PLY, OBJ and OFF keep every position exactly; STL rounds each coordinate to the nearest binary32, since it has no other
 /// number, and takes triangles only.
 pub fn write_mesh(path: &Path, mesh: &MeshRecord) -> Result<(), FormatError> {
     at(path, || match extension(path).as_str() {
         "ply" => create(path, |out| ply::write(out, mesh, ply::Encoding::Binary)),
         "obj" => create(path, |out| obj::write(out, mesh)),
+        "off" => create(path, |out| off::write(out, mesh)),
         "stl" => create(path, |out| stl::write(out, mesh)),
-        _ => Err(unknown_extension(path, "ply, stl, obj")),
+        _ => Err(unknown_extension(path, MESHES)),
     })
 }
 

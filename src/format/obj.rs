@@ -4,7 +4,7 @@
 //! renumbers: it drops vertices that no face uses and splits shared ones where a new object or group begins, so that a
 //! closed mesh gets a boundary that its file does not have. Here vertex i of the record is the i-th `v` of the file.
 
-use super::{MeshRecord, Precision, Problem, excerpt};
+use super::{FlatMesh, MeshRecord, Precision, Problem, excerpt};
 use std::io::{BufRead, Write};
 
 /// Reads positions as the nearest binary64 and faces as they are, polygons included.
@@ -14,8 +14,13 @@ use std::io::{BufRead, Write};
 ///
 /// Errors, each naming its line: a number that is none; fewer than three coordinates; a weight w ≠ 1; an index that is
 /// 0, reaches back before the first vertex, or is above 2³²; a free-form curve or surface.
-pub fn read(mut reader: impl BufRead) -> Result<MeshRecord, Problem> {
-    let mut mesh = MeshRecord { vertices: Vec::new(), faces: Vec::new(), precision: Precision::Binary64, soup: false };
+pub fn read(reader: impl BufRead) -> Result<MeshRecord, Problem> {
+    read_flat(reader).map(MeshRecord::from)
+}
+
+/// [`read`] into flat arrays.
+pub fn read_flat(mut reader: impl BufRead) -> Result<FlatMesh, Problem> {
+    let mut mesh = FlatMesh::new(Precision::Binary64);
     let mut text = Vec::new();
     let mut number = 0;
     loop {
@@ -43,7 +48,10 @@ pub fn read(mut reader: impl BufRead) -> Result<MeshRecord, Problem> {
             Some(b"v") => mesh.vertices.push(line.position(words)?),
             Some(b"f" | b"fo") => {
                 let known = mesh.vertices.len();
-                mesh.faces.push(words.map(|word| line.index(word, known)).collect::<Result<_, _>>()?);
+                for word in words {
+                    mesh.corners.push(line.index(word, known)?);
+                }
+                mesh.end_face()?;
             }
             Some(b"curv" | b"curv2" | b"surf") => return Err(line.invalid("polygons only, no free-form geometry")),
             _ => {}
@@ -85,12 +93,18 @@ impl<'a> Line<'a> {
     /// x y z, then nothing, or the weight 1, or a colour.
     fn position<'b>(&self, words: impl Iterator<Item = &'b [u8]>) -> Result<[f64; 3], Problem> {
         let number = |word| std::str::from_utf8(word).ok()?.parse().ok();
-        let numbers: Option<Vec<f64>> = words.map(number).collect();
-        match numbers.as_deref() {
-            Some(&[x, y, z] | &[x, y, z, _, _, _] | &[x, y, z, _, _, _, _]) => Ok([x, y, z]),
-            Some(&[x, y, z, 1.0]) => Ok([x, y, z]),
-            Some([_, _, _, _]) => Err(self.invalid("the weight 1")),
-            Some(_) | None => Err(self.invalid("three coordinates, and perhaps a colour")),
+        let not_these = || self.invalid("three coordinates, and perhaps a colour");
+        let mut numbers = [0.0; 7];
+        let mut count = 0;
+        for word in words {
+            *numbers.get_mut(count).ok_or_else(not_these)? = number(word).ok_or_else(not_these)?;
+            count += 1;
+        }
+        match numbers[..count] {
+            [x, y, z] | [x, y, z, _, _, _] | [x, y, z, _, _, _, _] => Ok([x, y, z]),
+            [x, y, z, 1.0] => Ok([x, y, z]),
+            [_, _, _, _] => Err(self.invalid("the weight 1")),
+            _ => Err(not_these()),
         }
     }
 

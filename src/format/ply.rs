@@ -1,9 +1,10 @@
-//! PLY, the polygon file format, through `ply-rs-bw`.
+//! PLY, the polygon file format; headers and writing through `ply-rs-bw`.
 //!
 //! Read: `x`, `y`, `z` of the element `vertex`, and `vertex_indices` or `vertex_index` of the element `face`;
 //! every other element and property is passed over.
 
-use super::{MeshRecord, Precision, Problem, excerpt};
+use super::ply_binary::Window;
+use super::{FlatMesh, MeshRecord, Precision, Problem, excerpt};
 use ply_rs_bw::parser::Parser;
 use ply_rs_bw::ply::{
     Addable, ElementDef, Encoding as Stored, Header, Property, PropertyAccess, PropertyAccessResult, PropertyDef,
@@ -27,31 +28,44 @@ pub enum Encoding {
 ///
 /// Errors: no PLY; something stated twice; no `vertex`, or one without x, y, z; triangle strips; an index that is no
 /// whole number in 0 … 2³² − 1; data that ends early or goes on (but for blanks).
-pub fn read(mut reader: impl BufRead) -> Result<MeshRecord, Problem> {
+pub fn read(reader: impl BufRead) -> Result<MeshRecord, Problem> {
+    read_flat(reader).map(MeshRecord::from)
+}
+
+/// [`read`] into flat arrays.
+pub fn read_flat(mut reader: impl BufRead) -> Result<FlatMesh, Problem> {
     let header = header(&mut reader)?;
-    let mut mesh = MeshRecord { vertices: Vec::new(), faces: Vec::new(), precision: Precision::Binary64, soup: false };
-    let mut rows = Rows { reader, encoding: header.encoding, line: Vec::new(), rows: 0 };
+    let mut mesh = FlatMesh::new(Precision::Binary64);
+    let mut rows = match header.encoding {
+        Stored::Ascii => Rows::Ascii(Lines { reader, line: Vec::new(), rows: 0 }),
+        Stored::BinaryLittleEndian => Rows::Binary(Window::new(reader, false)),
+        Stored::BinaryBigEndian => Rows::Binary(Window::new(reader, true)),
+    };
     for element in header.elements.values() {
         match element.name.as_str() {
             "vertex" => {
                 mesh.precision = precision(element)?;
-                let vertices = &mut mesh.vertices;
-                rows.each(element, |row: Vertex| {
-                    vertices.push(row.0);
-                    Ok(())
-                })?;
+                match &mut rows {
+                    Rows::Ascii(lines) => lines.each(element, |row: Vertex| {
+                        mesh.vertices.push(row.0);
+                        Ok(())
+                    })?,
+                    Rows::Binary(window) => window.vertices(element, &mut mesh)?,
+                }
             }
             "face" => {
-                has_one_index_list(element)?;
-                let faces = &mut mesh.faces;
-                rows.each(element, |row: Face| {
-                    faces.push(row.0.map_err(|index| Problem::Invalid {
-                        field: format!("face {}, vertex index", faces.len()),
-                        expected: "a whole number from 0",
-                        found: index.to_string(),
-                    })?);
-                    Ok(())
-                })?;
+                let list = the_index_list(element)?;
+                match &mut rows {
+                    Rows::Ascii(lines) => lines.each(element, |row: Face| {
+                        mesh.corners.extend(row.0.map_err(|index| Problem::Invalid {
+                            field: format!("face {}, vertex index", mesh.ends.len()),
+                            expected: "a whole number from 0",
+                            found: index.to_string(),
+                        })?);
+                        mesh.end_face()
+                    })?,
+                    Rows::Binary(window) => window.faces(element, list, &mut mesh)?,
+                }
             }
             "tristrips" => {
                 return Err(Problem::Invalid {
@@ -60,14 +74,25 @@ pub fn read(mut reader: impl BufRead) -> Result<MeshRecord, Problem> {
                     found: "triangle strips".to_owned(),
                 });
             }
-            _ => rows.each(element, |_: Other| Ok(()))?,
+            _ => match &mut rows {
+                Rows::Ascii(lines) => lines.each(element, |_: Other| Ok(()))?,
+                Rows::Binary(window) => window.skip(element)?,
+            },
         }
     }
     if !header.elements.contains_key("vertex") {
         return Err(Problem::Missing { field: "element vertex" });
     }
-    rows.end()?;
+    match rows {
+        Rows::Ascii(lines) => lines.end()?,
+        Rows::Binary(window) => window.end()?,
+    }
     Ok(mesh)
+}
+
+enum Rows<R> {
+    Ascii(Lines<R>),
+    Binary(Window<R>),
 }
 
 /// Writes coordinates as doubles and indices as `uint`, so that [`read`] gives the same mesh, its precision binary64.
@@ -170,7 +195,8 @@ fn precision(vertex: &ElementDef) -> Result<Precision, Problem> {
 
 const INDEX_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
-fn has_one_index_list(face: &ElementDef) -> Result<(), Problem> {
+/// The name of the property that holds the indices.
+fn the_index_list(face: &ElementDef) -> Result<&str, Problem> {
     let mut lists = INDEX_LISTS.iter().filter_map(|&name| face.properties.get(name));
     let property = lists.next().ok_or(Problem::Missing { field: "face property vertex_indices" })?;
     let field = format!("face property {}", property.name);
@@ -180,48 +206,36 @@ fn has_one_index_list(face: &ElementDef) -> Result<(), Problem> {
             let found = format!("{:?}", property.data_type);
             Err(Problem::Invalid { field, expected: "a list of integers", found })
         }
-        (PropertyType::List(..), None) => Ok(()),
+        (PropertyType::List(..), None) => Ok(&property.name),
     }
 }
 
-/// The rows of the elements, read one at a time: the library's own maps take nine times the memory of the record
+/// The rows of an ascii file, read one at a time: the library's own maps take nine times the memory of the record
 /// (1.8 GiB for three million triangles).
-struct Rows<R> {
+struct Lines<R> {
     reader: R,
-    encoding: Stored,
     line: Vec<u8>,
     rows: u64,
 }
 
-impl<R: BufRead> Rows<R> {
+impl<R: BufRead> Lines<R> {
     fn each<E: PropertyAccess>(
         &mut self,
         element: &ElementDef,
         mut take: impl FnMut(E) -> Result<(), Problem>,
     ) -> Result<(), Problem> {
         if element.properties.is_empty() {
-            // A row without properties takes no byte, and there may be 2⁶⁴ of them.
             return Ok(());
         }
-        let parser = Parser::new();
         for row in 0..element.count {
-            let read = match self.encoding {
-                Stored::Ascii => self.ascii_row(element),
-                Stored::BinaryLittleEndian => {
-                    parser.read_little_endian_element(&mut self.reader, element).map_err(io::Error::from)
-                }
-                Stored::BinaryBigEndian => {
-                    parser.read_big_endian_element(&mut self.reader, element).map_err(io::Error::from)
-                }
-            };
-            take(read.map_err(|error| row_problem(element, row, error))?)?;
+            take(self.row(element).map_err(|error| row_problem(element, row, error))?)?;
             self.rows += 1;
         }
         Ok(())
     }
 
     /// One line. The library's parser of lines takes no `1.`, `nan` or `inf` and is silent about numbers too many.
-    fn ascii_row<E: PropertyAccess>(&mut self, element: &ElementDef) -> io::Result<E> {
+    fn row<E: PropertyAccess>(&mut self, element: &ElementDef) -> io::Result<E> {
         self.line.clear();
         if self.reader.read_until(b'\n', &mut self.line)? == 0 {
             return Err(io::ErrorKind::UnexpectedEof.into());
@@ -249,7 +263,7 @@ impl<R: BufRead> Rows<R> {
     }
 
     /// Only blanks may follow.
-    fn end(&mut self) -> Result<(), Problem> {
+    fn end(mut self) -> Result<(), Problem> {
         loop {
             let bytes = self.reader.fill_buf()?;
             if bytes.is_empty() {

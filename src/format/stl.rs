@@ -2,7 +2,7 @@
 //!
 //! Only the positions are read: normals and attributes are passed over. Nothing is welded.
 
-use super::{FaceProblem, MeshRecord, Precision, Problem, excerpt};
+use super::{FaceProblem, FlatMesh, MeshRecord, Precision, Problem, excerpt};
 use std::io::{Cursor, Read, Write};
 use stl_io::{Normal, Triangle};
 
@@ -13,7 +13,12 @@ use stl_io::{Normal, Triangle};
 /// nearest binary32, which is what an STL holds.
 ///
 /// Errors: neither kind; a file that ends early or goes on; in ascii, another word than the grammar has there.
-pub fn read(mut reader: impl Read) -> Result<MeshRecord, Problem> {
+pub fn read(reader: impl Read) -> Result<MeshRecord, Problem> {
+    read_flat(reader).map(MeshRecord::from)
+}
+
+/// [`read`] into flat arrays.
+pub fn read_flat(mut reader: impl Read) -> Result<FlatMesh, Problem> {
     let mut bytes = Vec::new();
     reader.read_to_end(&mut bytes)?;
     let binary_length = bytes.get(80..HEADER).map(|count| {
@@ -60,20 +65,20 @@ pub fn write(mut writer: impl Write, mesh: &MeshRecord) -> Result<(), Problem> {
 const HEADER: usize = 84;
 const TRIANGLE: u64 = 50;
 
-fn binary(mut bytes: Vec<u8>) -> Result<MeshRecord, Problem> {
+fn binary(mut bytes: Vec<u8>) -> Result<FlatMesh, Problem> {
     // The library takes a file that begins with "solid " for ascii; the comment may say anything.
     bytes[..80].fill(0);
-    let mut soup = Soup::default();
+    let mut soup = Soup::new();
     for triangle in stl_io::create_stl_reader(&mut Cursor::new(bytes))? {
         soup.push(triangle?.vertices.map(|vertex| vertex.0))?;
     }
-    Ok(soup.into_record())
+    Ok(soup.0)
 }
 
 // The library's ascii reader stops without a word after the first solid of a file, and refuses a file for a normal
 // that is NaN, which is what many writers put beside a degenerate triangle, or for a solid without a name.
-fn ascii(bytes: &[u8]) -> Result<MeshRecord, Problem> {
-    let mut soup = Soup::default();
+fn ascii(bytes: &[u8]) -> Result<FlatMesh, Problem> {
+    let mut soup = Soup::new();
     let mut lines = Lines { bytes, line: 0 };
     while let Some(solid) = lines.next() {
         solid.begins_with(&["solid"])?;
@@ -93,7 +98,7 @@ fn ascii(bytes: &[u8]) -> Result<MeshRecord, Problem> {
             soup.push(triangle)?;
         }
     }
-    Ok(soup.into_record())
+    Ok(soup.0)
 }
 
 /// The lines that are not blank.
@@ -171,26 +176,23 @@ impl<'a> Line<'a> {
     }
 }
 
-#[derive(Default)]
-struct Soup {
-    vertices: Vec<[f64; 3]>,
-    faces: Vec<Vec<u32>>,
-}
+struct Soup(FlatMesh);
 
 impl Soup {
-    fn push(&mut self, triangle: [[f32; 3]; 3]) -> Result<(), Problem> {
-        let first = u32::try_from(self.vertices.len()).ok().filter(|&first| first <= u32::MAX - 2);
-        let first = first.ok_or_else(|| Problem::Invalid {
-            field: "triangles".to_owned(),
-            expected: "at most 2³² corners",
-            found: format!("triangle {}", self.faces.len()),
-        })?;
-        self.vertices.extend(triangle.map(|corner| corner.map(f64::from)));
-        self.faces.push(vec![first, first + 1, first + 2]);
-        Ok(())
+    fn new() -> Soup {
+        Soup(FlatMesh { soup: true, ..FlatMesh::new(Precision::Binary32) })
     }
 
-    fn into_record(self) -> MeshRecord {
-        MeshRecord { vertices: self.vertices, faces: self.faces, precision: Precision::Binary32, soup: true }
+    fn push(&mut self, triangle: [[f32; 3]; 3]) -> Result<(), Problem> {
+        let mesh = &mut self.0;
+        let first = u32::try_from(mesh.vertices.len()).ok().filter(|&first| first <= u32::MAX - 3);
+        let first = first.ok_or_else(|| Problem::Invalid {
+            field: "triangles".to_owned(),
+            expected: "fewer than 2³² corners",
+            found: format!("triangle {}", mesh.ends.len()),
+        })?;
+        mesh.vertices.extend(triangle.map(|corner| corner.map(f64::from)));
+        mesh.corners.extend([first, first + 1, first + 2]);
+        mesh.end_face()
     }
 }

@@ -13,6 +13,7 @@ pub mod euler_operators;
 pub mod examples;
 pub mod explicit;
 pub mod face;
+pub mod fast;
 pub mod gluing;
 pub mod half_edge;
 pub mod homology;

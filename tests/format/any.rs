@@ -43,7 +43,7 @@ fn same<T: std::fmt::Debug>(a: &T, b: &T) -> Result<(), TestCaseError> {
 /// Reads bytes as every format: what comes back is a record or an error, and an error has a message.
 fn read_as_everything(bytes: &[u8]) {
     let volumes = [nrrd::read(bytes, &LIMITS), npy::read(bytes, &LIMITS)];
-    let meshes = [ply::read(bytes), stl::read(bytes), obj::read(bytes)];
+    let meshes = [ply::read(bytes), stl::read(bytes), obj::read(bytes), off::read(bytes)];
     for volume in volumes {
         match volume {
             Ok(volume) => assert_eq!(volume.samples.len(), volume.shape.iter().product::<usize>()),
@@ -82,6 +82,8 @@ proptest! {
         }
         let bytes = written(|out| obj::write(out, &mesh));
         same(&obj::read(&bytes[..]).expect("as written"), &mesh)?;
+        let bytes = written(|out| off::write(out, &mesh));
+        same(&off::read(&bytes[..]).expect("as written"), &mesh)?;
         // STL: a soup of binary32.
         mesh.vertices.truncate(mesh.vertices.len() / 3 * 3);
         mesh.vertices.iter_mut().flatten().for_each(|c| *c = f64::from(*c as f32));
@@ -113,6 +115,7 @@ proptest! {
             written(|out| ply::write(out, &mesh, ply::Encoding::Binary)),
             written(|out| ply::write(out, &mesh, ply::Encoding::Ascii)),
             written(|out| obj::write(out, &mesh)),
+            written(|out| off::write(out, &mesh)),
             written(|out| stl::write(out, &triangles)),
             TWO_TRIANGLES.to_vec(),
         ];
@@ -134,8 +137,8 @@ proptest! {
     }
 
     #[test]
-    fn any_bytes_are_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..300), magic in 0..6_usize) {
-        let magic: &[u8] = [&b""[..], b"NRRD0004\n", b"\x93NUMPY\x01\x00", b"ply\nformat ascii 1.0\n", b"solid x\n", b"v "][magic];
+    fn any_bytes_are_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..300), magic in 0..7_usize) {
+        let magic: &[u8] = [&b""[..], b"NRRD0004\n", b"\x93NUMPY\x01\x00", b"ply\nformat ascii 1.0\n", b"solid x\n", b"v ", b"OFF\n"][magic];
         read_as_everything(&[magic, &bytes].concat());
     }
 }

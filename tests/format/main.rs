@@ -3,12 +3,14 @@
 #![cfg(feature = "cli")]
 
 use isoracle::format::{
-    FormatError, Limits, MeshRecord, Precision, Problem, Samples, VolumeRecord, npy, nrrd, obj, ply, read_mesh,
-    read_volume, stl, write_mesh, write_volume,
+    FormatError, Limits, MeshRecord, Precision, Problem, Samples, VolumeRecord, npy, nrrd, obj, off, ply,
+    read_flat_mesh, read_mesh, read_volume, stl, write_mesh, write_volume,
 };
 
 mod any;
 mod mesh;
+
+mod off_;
 mod volume;
 
 const LIMITS: Limits = Limits { samples: 1 << 16 };
@@ -27,9 +29,11 @@ fn the_extension_says_the_format() {
         assert_eq!(read_volume(&at(name), &LIMITS).expect(name), volume);
     }
     let mesh = obj::read(&b"v 0 0 0\nv 1 0 0\nv 0 1 0.1\nf 1 2 3\n"[..]).expect("a triangle");
-    for name in ["m.ply", "m.obj"] {
+    for name in ["m.ply", "m.obj", "m.off", "m.OFF"] {
         write_mesh(&at(name), &mesh).expect(name);
         assert_eq!(read_mesh(&at(name)).expect(name), mesh);
+        let flat = read_flat_mesh(&at(name)).expect(name);
+        assert_eq!((&flat.vertices, &flat.corners[..], &flat.ends[..]), (&mesh.vertices, &[0, 1, 2][..], &[3][..]));
     }
     write_mesh(&at("m.stl"), &mesh).expect("a triangle");
     assert_eq!(read_mesh(&at("m.stl")).expect("a triangle").vertices[2], [0.0, 1.0, f64::from(0.1_f32)]);
@@ -37,7 +41,7 @@ fn the_extension_says_the_format() {
     let message = |result: Result<(), FormatError>| result.expect_err("refused").to_string();
     assert!(
         message(read_mesh(&at("m.vtk")).map(drop))
-            .ends_with("unknown extension \"vtk\", expected one of ply, stl, obj")
+            .ends_with("unknown extension \"vtk\", expected one of ply, stl, obj, off")
     );
     assert!(message(write_volume(&at("v"), &volume)).ends_with("unknown extension \"\", expected one of nrrd, npy"));
     assert!(message(read_volume(&at("none.npy"), &LIMITS).map(drop)).contains("none.npy: "));

@@ -158,3 +158,97 @@ mod obj_ {
         assert_eq!(ours.map(single).collect::<Vec<_>>(), theirs);
     }
 }
+
+mod ply_binary_ {
+    use super::*;
+
+    /// Every kind of number, lists beside them, either byte order; rows of faces of 0 … 300 corners.
+    fn file(big_endian: bool) -> Vec<u8> {
+        let order = if big_endian { "big" } else { "little" };
+        let mut bytes = format!(
+            "ply\nformat binary_{order}_endian 1.0\nelement vertex 3\nproperty list uchar short tags\nproperty float z\n\
+             property double x\nproperty short y\nelement other 2\nproperty list int double data\nproperty char c\n\
+             element face 2\nproperty uchar flags\nproperty list ushort int vertex_index\nproperty float area\nend_header\n"
+        )
+        .into_bytes();
+        let mut put = |value: &[u8]| bytes.extend_from_slice(value);
+        let swap = |mut value: Vec<u8>| {
+            if big_endian {
+                value.reverse();
+            }
+            value
+        };
+        for v in 0..3_i16 {
+            put(&[v as u8]);
+            (0..v).for_each(|tag| put(&swap(tag.to_le_bytes().into())));
+            put(&swap((f32::from(v) / 2.0).to_le_bytes().into()));
+            put(&swap((f64::from(v) / 10.0).to_le_bytes().into()));
+            put(&swap((-v).to_le_bytes().into()));
+        }
+        for n in [0_i32, 2] {
+            put(&swap(n.to_le_bytes().into()));
+            (0..n).for_each(|x| put(&swap(f64::from(x).to_le_bytes().into())));
+            put(&[7]);
+        }
+        for n in [300_u16, 3] {
+            put(&[1]);
+            put(&swap(n.to_le_bytes().into()));
+            (0..n).for_each(|i| put(&swap(i32::from(i % 3).to_le_bytes().into())));
+            put(&swap(1.5_f32.to_le_bytes().into()));
+        }
+        bytes
+    }
+
+    #[test]
+    fn every_kind_of_row_is_read_in_either_byte_order() {
+        for big_endian in [false, true] {
+            let mesh = ply::read(&file(big_endian)[..]).expect("a mesh");
+            assert_eq!(mesh.vertices, [[0.0, 0.0, 0.0], [0.1, -1.0, 0.5], [0.2, -2.0, 1.0]]);
+            assert_eq!(mesh.faces, [(0..300).map(|i| i % 3).collect::<Vec<u32>>(), vec![0, 1, 2]]);
+            assert_eq!(mesh.precision, Precision::Binary64);
+        }
+    }
+
+    #[test]
+    fn a_cut_a_tail_and_a_negative_number_are_refused() {
+        let whole = file(false);
+        let header = whole.windows(11).position(|w| w == b"end_header\n").expect("a header") + 11;
+        for end in header..whole.len() {
+            let problem = message(ply::read(&whole[..end]));
+            assert!(problem.contains("truncated, expected "), "{end}: {problem}");
+        }
+        assert_eq!(message(ply::read(&whole[..whole.len() - 1])), "element face: truncated, expected 2 rows, found 1");
+        assert!(ply::read(&[&whole[..], b"\n \n"].concat()[..]).is_ok());
+        assert_eq!(
+            message(ply::read(&[&whole[..], b"\n7"].concat()[..])),
+            "data: data goes on after the expected 7 rows"
+        );
+        let mut negative = whole.clone();
+        let last = whole.len() - 8;
+        negative[last..last + 4].copy_from_slice(&(-2_i32).to_le_bytes());
+        assert!(message(ply::read(&negative[..])).contains("expected a whole number from 0, found -2"));
+        // A list of −1 numbers, and one of 2³¹ − 1 that is not there.
+        let lists = header + 3 + 3 * 14 + 2 * 3;
+        for (length, named) in
+            [(-1, "property data: a list of -1"), (i32::MAX, "element other: truncated, expected 2 rows, found 0")]
+        {
+            let mut wrong = whole.clone();
+            wrong[lists..lists + 4].copy_from_slice(&length.to_le_bytes());
+            let problem = message(ply::read(&wrong[..]));
+            assert!(problem.contains(named), "{problem}");
+        }
+    }
+
+    #[test]
+    fn more_rows_than_one_window_are_read() {
+        let mesh = MeshRecord {
+            vertices: (0..50_000).map(|v| [f64::from(v), 0.5, -1.0]).collect(),
+            faces: (0..90_000_u32).map(|f| (0..2 + f % 4).map(|i| (f + i) % 50_000).collect()).collect(),
+            precision: Precision::Binary64,
+            soup: false,
+        };
+        let mut bytes = Vec::new();
+        ply::write(&mut bytes, &mesh, ply::Encoding::Binary).expect("it can be written");
+        assert!(bytes.len() > 2 << 20 && ply::read(&bytes[..]).expect("as written") == mesh);
+    }
+}

@@ -18,6 +18,8 @@ mod euler;
 mod euler_numbers;
 mod euler_operators;
 mod examples;
+mod fast;
+mod fast_exact;
 mod figures;
 mod homology;
 mod implicit;
