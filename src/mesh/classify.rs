@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 use thiserror::Error;
 
-/// A closed connected surface, up to homeomorphism (ME-355).
+/// A closed connected surface, up to homeomorphism (ME-130).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[doc(alias = "ME-355")]
+#[doc(alias = "ME-130")]
 pub enum ClosedSurface {
     /// A sphere with so many handles.
     Orientable {
@@ -38,8 +38,8 @@ pub struct Surface {
 pub const SPHERE: ClosedSurface = ClosedSurface::Orientable { genus: 0 };
 
 impl ClosedSurface {
-    /// χ = 2 − 2g with g handles, 2 − k with k cross-caps (ME-359).
-    #[doc(alias = "ME-359")]
+    /// χ = 2 − 2g with g handles, 2 − k with k cross-caps (ME-134).
+    #[doc(alias = "ME-134")]
     pub fn euler_characteristic(self) -> i64 {
         match self {
             ClosedSurface::Orientable { genus } => 2 - 2 * genus as i64,
@@ -47,8 +47,8 @@ impl ClosedSurface {
         }
     }
 
-    /// The connected sum: handles and cross-caps add; beside a cross-cap a handle is two cross-caps (ME-361).
-    #[doc(alias = "ME-361")]
+    /// The connected sum: handles and cross-caps add; beside a cross-cap a handle is two cross-caps (ME-136).
+    #[doc(alias = "ME-136")]
     pub fn sum(self, other: ClosedSurface) -> ClosedSurface {
         use ClosedSurface::{NonOrientable, Orientable};
         match (self, other) {
@@ -99,8 +99,8 @@ impl Display for Surface {
 
 impl Gluing {
     /// What its components are, in the order of their first polygons: by χ, the loops of the border, and whether it can be
-    /// oriented. Two surfaces are homeomorphic iff they have the same list, sorted (ME-358).
-    #[doc(alias = "ME-358")]
+    /// oriented. Two surfaces are homeomorphic iff they have the same list, sorted (ME-133).
+    #[doc(alias = "ME-133")]
     pub fn surfaces(&self) -> Vec<Surface> {
         let surface = |component: &Gluing| {
             let boundary_loops = component.boundary().len();
@@ -131,7 +131,7 @@ pub enum NoSurface {
 ///
 /// # Errors
 /// Iff the faces cannot be glued ([`Sheets::new`]), or a vertex has several fans of them.
-#[doc(alias = "ME-310")]
+#[doc(alias = "ME-84")]
 pub fn mesh_surfaces(faces: &[Face]) -> Result<Vec<Surface>, NoSurface> {
     let sheets = Sheets::new(faces)?;
     match sheets.pinches() {

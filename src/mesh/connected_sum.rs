@@ -1,4 +1,4 @@
-//! Connected sums, handles and cross-caps as operations on triangulated surfaces (ME-360 …).
+//! Connected sums, handles and cross-caps as operations on triangulated surfaces (ME-135 …).
 
 use super::manifold::{Dimension, border};
 use super::simplicial::{Simplex, SimplicialComplex};
@@ -30,12 +30,12 @@ fn triangle(complex: &SimplicialComplex, corners: [u32; 3]) -> Result<Simplex, S
     triangle.ok_or(SumError::NoTriangle(corners))
 }
 
-/// The connected sum of two triangulated surfaces (ME-360): a triangle is taken out of each, and their borders are glued,
+/// The connected sum of two triangulated surfaces (ME-135): a triangle is taken out of each, and their borders are glued,
 /// corner to corner in order. The first one keeps its vertex numbers. χ is the sum of both less 2.
 ///
 /// # Errors
 /// Iff one of them has no such triangle, or a corner is on the border of both.
-#[doc(alias = "ME-360")]
+#[doc(alias = "ME-135")]
 pub fn connected_sum(
     a: &SimplicialComplex,
     at: [u32; 3],
@@ -61,12 +61,12 @@ pub fn connected_sum(
     Ok(SimplicialComplex::new(kept.chain(added)))
 }
 
-/// A handle as the text adds it (ME-362): two triangles are taken out, and a tube of six is glued to their borders, the
+/// A handle as the text adds it (ME-137): two triangles are taken out, and a tube of six is glued to their borders, the
 /// corners of the first to those of the second in order. χ falls by 2.
 ///
 /// # Errors
 /// Iff there is no such triangle, the two have a vertex in common, or an edge of the tube is there already.
-#[doc(alias = "ME-362")]
+#[doc(alias = "ME-137")]
 pub fn with_tube(complex: &SimplicialComplex, from: [u32; 3], to: [u32; 3]) -> Result<SimplicialComplex, SumError> {
     let ends = [triangle(complex, from)?, triangle(complex, to)?];
     if let Some(common) = from.iter().find(|v| to.contains(v)) {
@@ -90,14 +90,14 @@ pub fn with_tube(complex: &SimplicialComplex, from: [u32; 3], to: [u32; 3]) -> R
     Ok(SimplicialComplex::new(kept.chain(tube)))
 }
 
-/// The disc around a vertex replaced by another surface with one loop as border (ME-363): the vertex with its triangles is
+/// The disc around a vertex replaced by another surface with one loop as border (ME-138): the vertex with its triangles is
 /// taken out, and the border's cycle, in order, is glued to that of the vertex's link. A Möbius band makes a cross-cap.
 ///
 /// # Errors
 /// Iff the vertex has no link that is a cycle as long as the border, or an edge of the band would join two vertices of the
 /// link that are joined already.
-#[doc(alias = "ME-363")]
-#[doc(alias = "ME-364")]
+#[doc(alias = "ME-138")]
+#[doc(alias = "ME-139")]
 pub fn with_disc_replaced(
     complex: &SimplicialComplex,
     vertex: u32,

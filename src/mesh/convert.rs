@@ -57,11 +57,11 @@ fn check(list: &VertexList) -> Result<(), MissingVertex> {
 }
 
 impl From<&ExplicitList> for VertexList {
-    /// Each position once (ME-209), and polygons by the numbers of their vertices (ME-210, ME-212).
-    #[doc(alias = "ME-209")]
-    #[doc(alias = "ME-210")]
-    #[doc(alias = "ME-212")]
-    #[doc(alias = "ME-241")]
+    /// Each position once (ME-9), and polygons by the numbers of their vertices (ME-10, ME-12).
+    #[doc(alias = "ME-9")]
+    #[doc(alias = "ME-10")]
+    #[doc(alias = "ME-12")]
+    #[doc(alias = "ME-41")]
     fn from(list: &ExplicitList) -> VertexList {
         let mut numbers: HashMap<&Point, u32> = HashMap::new();
         let mut vertices: Vec<Point> = Vec::new();
@@ -104,7 +104,7 @@ impl TryFrom<&VertexList> for EdgeList {
 
     /// The edge list with one edge for each pair of vertices that a side joins. Errors: the first vertex that does not
     /// exist.
-    #[doc(alias = "ME-240")]
+    #[doc(alias = "ME-40")]
     fn try_from(list: &VertexList) -> Result<EdgeList, MissingVertex> {
         check(list)?;
         let mut numbers: HashMap<EdgeKey, EdgeId> = HashMap::new();

@@ -47,10 +47,10 @@ impl Side {
     }
 }
 
-/// The record of an edge, Aⱼ = [Vₒ, Vₚ], P_q, …, P_t (ME-219). Its ends are in an order, which is the direction in
+/// The record of an edge, Aⱼ = [Vₒ, Vₚ], P_q, …, P_t (ME-19). Its ends are in an order, which is the direction in
 /// which its sides run forward.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[doc(alias = "ME-219")]
+#[doc(alias = "ME-19")]
 pub struct Edge {
     /// Its vertices.
     pub ends: [u32; 2],
@@ -60,14 +60,14 @@ pub struct Edge {
 
 /// The edge list as the text has it: numbers, of which nothing is promised.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-#[doc(alias = "ME-217")]
-#[doc(alias = "ME-220")]
+#[doc(alias = "ME-17")]
+#[doc(alias = "ME-20")]
 pub struct EdgeRecords {
-    /// V₁, …, Vₙ (ME-217).
+    /// V₁, …, Vₙ (ME-17).
     pub vertices: Vec<Point>,
-    /// A₁, …, Aₘ (ME-218).
+    /// A₁, …, Aₘ (ME-18).
     pub edges: Vec<Edge>,
-    /// P₁, …, each loop by the numbers of its edges in order, without their directions (ME-220, ME-221).
+    /// P₁, …, each loop by the numbers of its edges in order, without their directions (ME-20, ME-21).
     pub faces: Vec<Polygon<u32>>,
 }
 
@@ -75,7 +75,7 @@ pub struct EdgeRecords {
 /// polygon iff the polygon uses it. Any number of polygons may use an edge, two edges may have the same ends, an edge
 /// may have one vertex as both its ends, vertices and edges may be unused, and loops empty.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-#[doc(alias = "ME-218")]
+#[doc(alias = "ME-18")]
 pub struct EdgeList {
     vertices: Vec<Point>,
     edges: Vec<Edge>,
@@ -127,8 +127,8 @@ pub enum EdgeListError {
 
 /// The closed walks that run along edges with these ends in this order, each as its vertices from its start: none where
 /// the edges are no closed walk; two, one against the other, where all have the same two ends; else one. So the
-/// polygon's list of edges, which gives no direction, determines the loop (ME-222).
-#[doc(alias = "ME-222")]
+/// polygon's list of edges, which gives no direction, determines the loop (ME-22).
+#[doc(alias = "ME-22")]
 pub fn walks(ends: &[[u32; 2]]) -> Vec<Vec<u32>> {
     let Some(&[a, b]) = ends.first() else { return vec![Vec::new()] };
     let starts = if a == b { vec![a] } else { vec![a, b] };
@@ -214,7 +214,7 @@ impl EdgeList {
     }
 
     /// The edge list in the numbers of the text: sides without their directions.
-    #[doc(alias = "ME-221")]
+    #[doc(alias = "ME-21")]
     pub fn records(&self) -> EdgeRecords {
         EdgeRecords {
             vertices: self.vertices.clone(),
@@ -223,18 +223,18 @@ impl EdgeList {
         }
     }
 
-    /// Its vertices and edges without its polygons: the wire frame, which does not determine them (ME-239). Drawing
-    /// edges needs no more (ME-202).
-    #[doc(alias = "ME-202")]
-    #[doc(alias = "ME-239")]
+    /// Its vertices and edges without its polygons: the wire frame, which does not determine them (ME-39). Drawing
+    /// edges needs no more (ME-2).
+    #[doc(alias = "ME-2")]
+    #[doc(alias = "ME-39")]
     pub fn wire_frame(&self) -> EdgeList {
         let ends = self.edges.iter().map(|edge| edge.ends).collect();
         EdgeList::new(self.vertices.clone(), ends, Vec::new()).expect("the ends have been checked")
     }
 
     /// How often each edge is used: forward, and backward. Where all are [1, 1] the mesh is closed and consistently
-    /// oriented (ME-237).
-    #[doc(alias = "ME-237")]
+    /// oriented (ME-37).
+    #[doc(alias = "ME-37")]
     pub fn uses(&self) -> Vec<[usize; 2]> {
         let mut uses = vec![[0, 0]; self.edges.len()];
         for side in self.faces.iter().flat_map(Polygon::corners) {
@@ -244,8 +244,8 @@ impl EdgeList {
     }
 
     /// The words it takes, a coordinate or a reference being one: 3V + 2E + 2S. Each of the S uses of an edge stands at
-    /// the edge and at the polygon (ME-223).
-    #[doc(alias = "ME-223")]
+    /// the edge and at the polygon (ME-23).
+    #[doc(alias = "ME-23")]
     pub fn words(&self) -> u64 {
         let uses: usize = self.edges.iter().map(|edge| edge.faces.len()).sum();
         let sides: usize = self.faces.iter().map(|polygon| polygon.corners().count()).sum();
@@ -319,8 +319,8 @@ impl Operations for EdgeList {
         counted(self.faces.iter().map(|polygon| polygon.map(place)).collect(), 3 * self.side_count())
     }
 
-    /// No polygon is read, and no edge comes twice (ME-225).
-    #[doc(alias = "ME-225")]
+    /// No polygon is read, and no edge comes twice (ME-25).
+    #[doc(alias = "ME-25")]
     fn segments(&self) -> Result<Counted<Vec<[Point; 2]>>, NoSuch> {
         let edges = self.edges.iter().filter(|edge| edge.ends[0] != edge.ends[1]);
         let segments: Vec<_> = edges.map(|edge| edge.ends.map(|v| self.vertices[v as usize].clone())).collect();
@@ -328,8 +328,8 @@ impl Operations for EdgeList {
         counted(segments, reads)
     }
 
-    /// All edges are read (ME-226).
-    #[doc(alias = "ME-226")]
+    /// All edges are read (ME-26).
+    #[doc(alias = "ME-26")]
     fn edges_at(&self, vertex: &u32) -> Result<Counted<Vec<EdgeId>>, NoSuch> {
         self.known(*vertex)?;
         let is_at = |edge: &Edge| edge.ends.contains(vertex) && edge.ends[0] != edge.ends[1];
@@ -341,8 +341,8 @@ impl Operations for EdgeList {
         counted([a.min(b), a.max(b)], 1)
     }
 
-    /// They stand in the edge's record (ME-224).
-    #[doc(alias = "ME-224")]
+    /// They stand in the edge's record (ME-24).
+    #[doc(alias = "ME-24")]
     fn faces_of_edge(&self, edge: &EdgeId) -> Result<Counted<Vec<usize>>, NoSuch> {
         let uses = &self.edge(*edge)?.faces;
         let faces: BTreeSet<usize> = uses.iter().copied().collect();

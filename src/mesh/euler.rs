@@ -27,7 +27,7 @@ impl EulerPoincare {
     ///
     /// # Errors
     /// Iff a loop has fewer than three vertices, or a side from a vertex to itself.
-    #[doc(alias = "ME-307")]
+    #[doc(alias = "ME-81")]
     pub fn of(faces: &[Face]) -> Result<EulerPoincare, FaceError> {
         check_loops(faces)?;
         let vertices: BTreeSet<u32> = faces.iter().flat_map(Face::vertices).collect();
@@ -48,36 +48,36 @@ impl EulerPoincare {
         })
     }
 
-    /// V − E + F, Euler's number of the texts: χ iff every face is a disc (ME-301).
-    #[doc(alias = "ME-301")]
+    /// V − E + F, Euler's number of the texts: χ iff every face is a disc (ME-75).
+    #[doc(alias = "ME-75")]
     pub fn euler_number(&self) -> i64 {
         self.vertices - self.edges + self.faces
     }
 
-    /// χ = V − E + F − H: a face with h holes adds 1 − h (ME-316).
-    #[doc(alias = "ME-316")]
+    /// χ = V − E + F − H: a face with h holes adds 1 − h (ME-90).
+    #[doc(alias = "ME-90")]
     pub fn characteristic(&self) -> i64 {
         self.euler_number() - self.holes
     }
 
     /// G = C − χ/2, which the formula wants: in a closed surface the genera of the components summed, half a handle for
     /// each cross-cap. It is an integer ≥ 0 for every closed orientable surface; no integer where the number of cross-caps is
-    /// odd (ME-328). Other meshes have one too, and it means nothing.
-    #[doc(alias = "ME-328")]
+    /// odd (ME-102). Other meshes have one too, and it means nothing.
+    #[doc(alias = "ME-102")]
     pub fn genus(&self) -> Rational {
         Rational::from(self.shells) - Rational::from((self.characteristic(), 2))
     }
 }
 
-/// FP of the text's formula: the faces that have holes, however many (ME-318).
-#[doc(alias = "ME-318")]
+/// FP of the text's formula: the faces that have holes, however many (ME-92).
+#[doc(alias = "ME-92")]
 pub fn faces_with_holes(faces: &[Face]) -> i64 {
     faces.iter().filter(|face| !face.holes.is_empty()).count() as i64
 }
 
-/// The terms of V − E + F − H = 2(S − G) − B − P, which holds for every mesh whose edges have at most two sides (ME-329).
+/// The terms of V − E + F − H = 2(S − G) − B − P, which holds for every mesh whose edges have at most two sides (ME-103).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[doc(alias = "ME-329")]
+#[doc(alias = "ME-103")]
 pub struct Balance {
     /// V, E, F, H, C.
     pub counts: EulerPoincare,
@@ -96,7 +96,7 @@ impl Balance {
     ///
     /// # Errors
     /// Iff its faces cannot be glued along their edges ([`Sheets::new`]).
-    #[doc(alias = "ME-314")]
+    #[doc(alias = "ME-88")]
     pub fn of(faces: &[Face]) -> Result<Balance, FaceError> {
         let sheets = Sheets::new(faces)?;
         let words = sheets.gluing.words();
@@ -115,8 +115,8 @@ impl Balance {
         2 * self.sheets - self.twice_genus - self.boundary_loops - self.pinches
     }
 
-    /// Whether the mesh is a closed surface, the formula's domain: no border and no pinches (ME-317). It may be one-sided.
-    #[doc(alias = "ME-317")]
+    /// Whether the mesh is a closed surface, the formula's domain: no border and no pinches (ME-91). It may be one-sided.
+    #[doc(alias = "ME-91")]
     pub fn is_closed_surface(&self) -> bool {
         self.boundary_loops == 0 && self.pinches == 0
     }

@@ -23,7 +23,7 @@ pub fn mesh<V: AsRef<[u32]>>(vertices: &[[i64; 3]], faces: &[V]) -> VertexList {
 }
 
 /// The cube [0, 1]³: 8 vertices, 12 edges, 6 squares, counterclockwise from outside.
-#[doc(alias = "ME-303")]
+#[doc(alias = "ME-77")]
 pub fn cube() -> VertexList {
     mesh(
         &[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]],

@@ -48,10 +48,10 @@ impl<T> Polygon<T> {
 }
 
 /// A mesh by its polygons, Pᵢ = (x₁,y₁,z₁), …, (xₙ,yₙ,zₙ), in the order of each loop: as a set of triples, which the
-/// text prints, they make no one polygon (ME-203). A vertex is a position: it is stored once for each corner (ME-204),
+/// text prints, they make no one polygon (ME-3). A vertex is a position: it is stored once for each corner (ME-4),
 /// and two vertices at one position are one. Vertices that no polygon uses cannot be stored.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-#[doc(alias = "ME-203")]
+#[doc(alias = "ME-3")]
 pub struct ExplicitList {
     /// Polygons.
     pub polygons: Vec<Polygon<Point>>,
@@ -64,22 +64,22 @@ impl ExplicitList {
     }
 
     /// How often a position is stored: once for each corner there, which is once for each polygon that refers to it
-    /// where no polygon comes to it twice (ME-204).
-    #[doc(alias = "ME-204")]
+    /// where no polygon comes to it twice (ME-4).
+    #[doc(alias = "ME-4")]
     pub fn copies(&self, of: &Point) -> usize {
         self.polygons.iter().flat_map(Polygon::corners).filter(|corner| *corner == of).count()
     }
 
-    /// The segments drawn where each polygon draws its sides: a common edge as often as polygons use it (ME-205).
-    #[doc(alias = "ME-205")]
+    /// The segments drawn where each polygon draws its sides: a common edge as often as polygons use it (ME-5).
+    #[doc(alias = "ME-5")]
     pub fn strokes(&self) -> Vec<[&Point; 2]> {
         self.polygons.iter().flat_map(Polygon::loops).flat_map(pairs).filter(|[a, b]| a != b).collect()
     }
 
     /// Each segment once, by the text's procedure without further memory: before a side is drawn, all sides before it
     /// are read to see whether one is the same segment. It reads up to S + S(S−1)/2 sides, and all of these iff no
-    /// segment comes twice (ME-206); [`Operations::segments`] remembers what it has drawn and reads S.
-    #[doc(alias = "ME-206")]
+    /// segment comes twice (ME-6); [`Operations::segments`] remembers what it has drawn and reads S.
+    #[doc(alias = "ME-6")]
     pub fn segments_by_rescanning(&self) -> Counted<Vec<[Point; 2]>> {
         let all: Vec<[&Point; 2]> = self.polygons.iter().flat_map(Polygon::loops).flat_map(pairs).collect();
         let (mut segments, mut reads) = (Vec::new(), 0);
@@ -93,7 +93,7 @@ impl ExplicitList {
         Counted { answer: segments, reads }
     }
 
-    /// The words it takes, a coordinate being one: 3S (ME-213).
+    /// The words it takes, a coordinate being one: 3S (ME-13).
     pub fn words(&self) -> u64 {
         3 * self.corner_count()
     }
@@ -156,8 +156,8 @@ impl Operations for ExplicitList {
         counted(unordered([a, b]), 0)
     }
 
-    /// That they are common is not stored: it follows from equal positions (ME-208).
-    #[doc(alias = "ME-208")]
+    /// That they are common is not stored: it follows from equal positions (ME-8).
+    #[doc(alias = "ME-8")]
     fn faces_of_edge(&self, [a, b]: &[Point; 2]) -> Result<Counted<Vec<usize>>, NoSuch> {
         let mut faces = BTreeSet::new();
         let reads = self.scan(|face, side| {
@@ -191,10 +191,10 @@ impl Operations for ExplicitList {
         counted(faces.into_iter().collect(), polygon.corners().count() as u64 + reads)
     }
 
-    /// Every corner at the position moves; all are read (ME-207). Where the new position is another vertex's, the two
-    /// are one from then on (ME-245).
-    #[doc(alias = "ME-207")]
-    #[doc(alias = "ME-245")]
+    /// Every corner at the position moves; all are read (ME-7). Where the new position is another vertex's, the two
+    /// are one from then on (ME-45).
+    #[doc(alias = "ME-7")]
+    #[doc(alias = "ME-45")]
     fn move_vertex(&mut self, vertex: &Point, to: Point) -> Result<Counted<()>, NoSuch> {
         let (mut reads, mut is_there) = (0, false);
         let loops = self.polygons.iter_mut().flat_map(|p| std::iter::once(&mut p.outer).chain(&mut p.holes));

@@ -35,8 +35,8 @@ impl Face {
         self.loops().flat_map(sides)
     }
 
-    /// The face seen from its other side: every loop backwards, beginning with the same vertex (ME-238).
-    #[doc(alias = "ME-238")]
+    /// The face seen from its other side: every loop backwards, beginning with the same vertex (ME-38).
+    #[doc(alias = "ME-38")]
     pub fn reversed(&self) -> Face {
         let back = |l: &[u32]| l.iter().take(1).chain(l.iter().skip(1).rev()).copied().collect();
         Face { outer: back(&self.outer), holes: self.holes.iter().map(|hole| back(hole)).collect() }
@@ -49,9 +49,9 @@ impl<const N: usize> From<[u32; N]> for Face {
     }
 }
 
-/// The directed sides of a loop, from each vertex to the next, and from the last to the first (ME-211): as many as it has
+/// The directed sides of a loop, from each vertex to the next, and from the last to the first (ME-11): as many as it has
 /// vertices. A loop of one vertex has the side from it to itself, one of two vertices both directions of its edge.
-#[doc(alias = "ME-211")]
+#[doc(alias = "ME-11")]
 pub fn sides(vertices: &[u32]) -> impl Iterator<Item = [u32; 2]> {
     (0..vertices.len()).map(|i| [vertices[i], vertices[(i + 1) % vertices.len()]])
 }

@@ -1,5 +1,5 @@
 //! Polygons glued side to side. Each edge has one or two sides, so the corners at a vertex make one fan: every gluing is a
-//! compact surface with border, and every such surface is one (ME-358).
+//! compact surface with border, and every such surface is one (ME-133).
 
 use super::face::{self, Face};
 use super::simplicial::{Simplex, SimplicialComplex};
@@ -251,8 +251,8 @@ impl Gluing {
         v - e + f
     }
 
-    /// The loops of its border, each as the closed walk along its free edges; none iff the surface is closed (ME-331).
-    #[doc(alias = "ME-331")]
+    /// The loops of its border, each as the closed walk along its free edges; none iff the surface is closed (ME-105).
+    #[doc(alias = "ME-105")]
     pub fn boundary(&self) -> Vec<Vec<Side>> {
         let free = |edge: u32| [true, false].map(|forward| Side { edge, forward });
         let mut out: BTreeMap<u32, Vec<Side>> = BTreeMap::new();
@@ -283,8 +283,8 @@ impl Gluing {
         Gluing::new(polygons).expect("each free side is glued to the side of one cap")
     }
 
-    /// Its connected components, in the order of their first polygons (ME-368).
-    #[doc(alias = "ME-368")]
+    /// Its connected components, in the order of their first polygons (ME-143).
+    #[doc(alias = "ME-143")]
     pub fn components(&self) -> Vec<Gluing> {
         let mut parts = Partition::new(self.polygons.len());
         for places in self.places.values() {

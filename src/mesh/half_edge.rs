@@ -41,8 +41,8 @@ pub struct HalfEdges {
 }
 
 impl From<&WingedEdges> for HalfEdges {
-    /// The half-edges, numbered as the edges are. Back again, nothing has changed (ME-243).
-    #[doc(alias = "ME-243")]
+    /// The half-edges, numbered as the edges are. Back again, nothing has changed (ME-43).
+    #[doc(alias = "ME-43")]
     fn from(mesh: &WingedEdges) -> HalfEdges {
         let outgoing =
             |edge: EdgeId, vertex: u32| Side { edge, is_backward: mesh.edges()[edge.index()].ends[0] != vertex };
@@ -96,7 +96,7 @@ impl From<&HalfEdges> for EdgeList {
 }
 
 impl From<&HalfEdges> for WingedEdges {
-    /// The winged edges, by way of the edge list (ME-243).
+    /// The winged edges, by way of the edge list (ME-43).
     fn from(mesh: &HalfEdges) -> WingedEdges {
         WingedEdges::try_from(&EdgeList::from(mesh)).expect("half-edges come from winged edges")
     }

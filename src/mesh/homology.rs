@@ -127,8 +127,8 @@ impl ChainComplex {
         alternating_sum(&self.counts())
     }
 
-    /// H₀, H₁, … over ℤ (ME-327): b_k = n_k − rank ∂_k − rank ∂_{k+1}, and the torsion of H_k is the divisors of ∂_{k+1}.
-    #[doc(alias = "ME-327")]
+    /// H₀, H₁, … over ℤ (ME-101): b_k = n_k − rank ∂_k − rank ∂_{k+1}, and the torsion of H_k is the divisors of ∂_{k+1}.
+    #[doc(alias = "ME-101")]
     pub fn homology(&self) -> Homology {
         let mut divisors: Vec<Vec<Integer>> = self.boundaries.iter().map(|cells| elementary_divisors(cells)).collect();
         divisors.push(Vec::new());

@@ -44,11 +44,11 @@ pub enum ManifoldDefect {
 }
 
 /// What keeps a complex from being a manifold of that dimension, perhaps with border, sorted; empty iff it is one, or
-/// has no simplices (ME-352, ME-353). A complex is one iff the link of each simplex of dimension k is a sphere or a ball of
+/// has no simplices (ME-127, ME-128). A complex is one iff the link of each simplex of dimension k is a sphere or a ball of
 /// dimension d − k − 1: for d = 1 two points or one at a vertex, for d = 2 the same at an edge, and a cycle or a path at a
 /// vertex; for d = 3 a sphere or a disc at a vertex, which χ tells, as the links of the other simplices make it a surface.
-#[doc(alias = "ME-352")]
-#[doc(alias = "ME-353")]
+#[doc(alias = "ME-127")]
+#[doc(alias = "ME-128")]
 pub fn manifold_defects(complex: &SimplicialComplex, dimension: Dimension) -> Vec<ManifoldDefect> {
     defects(complex, dimension as usize)
 }
@@ -106,8 +106,8 @@ fn facets_of_one(complex: &SimplicialComplex, d: usize) -> impl Iterator<Item = 
 }
 
 /// The border: the simplices of dimension d − 1 that are a face of just one of dimension d, and their faces. Of a manifold
-/// it is a closed manifold of dimension d − 1 (ME-354).
-#[doc(alias = "ME-354")]
+/// it is a closed manifold of dimension d − 1 (ME-129).
+#[doc(alias = "ME-129")]
 pub fn border(complex: &SimplicialComplex, dimension: Dimension) -> SimplicialComplex {
     SimplicialComplex::new(facets_of_one(complex, dimension as usize))
 }

@@ -55,12 +55,12 @@ pub(super) fn counted<T>(answer: T, reads: u64) -> Result<Counted<T>, NoSuch> {
     Ok(Counted { answer, reads })
 }
 
-/// The operations that the text lists (ME-201). Answers that are lists of names are sorted, each name once. An edge
+/// The operations that the text lists (ME-1). Answers that are lists of names are sorted, each name once. An edge
 /// joins two different vertices: a side from a vertex to itself is none.
 ///
 /// Each fails iff a name that it is given is not in the mesh; on a [`VertexList`], which promises nothing, also where
 /// it comes upon a polygon that names a missing vertex.
-#[doc(alias = "ME-201")]
+#[doc(alias = "ME-1")]
 pub trait Operations {
     /// The name of a vertex.
     type Vertex: Clone + Ord;
@@ -159,15 +159,15 @@ impl VertexList {
     }
 
     /// The words it takes, a coordinate or a reference being one: 3V + S. That is less than the explicit list's 3S iff
-    /// S > 3V/2, that is, iff a vertex has more than 3/2 corners on average (ME-213).
-    #[doc(alias = "ME-213")]
+    /// S > 3V/2, that is, iff a vertex has more than 3/2 corners on average (ME-13).
+    #[doc(alias = "ME-13")]
     pub fn words(&self) -> u64 {
         3 * self.vertices.len() as u64 + self.corner_count()
     }
 
     /// The edges drawn where each polygon draws its sides: a common edge as often as polygons use it, as on the
-    /// explicit list (ME-215).
-    #[doc(alias = "ME-215")]
+    /// explicit list (ME-15).
+    #[doc(alias = "ME-15")]
     pub fn strokes(&self) -> Vec<EdgeKey> {
         self.faces.iter().flat_map(Face::sides).filter(|[a, b]| a != b).map(edge).collect()
     }
@@ -188,8 +188,8 @@ impl VertexList {
         Ok(uses)
     }
 
-    /// The faces with a side such as `is_sought`. All are read: the list says nothing of what shares what (ME-216).
-    #[doc(alias = "ME-216")]
+    /// The faces with a side such as `is_sought`. All are read: the list says nothing of what shares what (ME-16).
+    #[doc(alias = "ME-16")]
     fn faces_with(&self, is_sought: impl Fn([u32; 2]) -> bool) -> Result<Vec<usize>, NoSuch> {
         let mut faces = Vec::new();
         for (number, face) in self.faces.iter().enumerate() {
@@ -251,8 +251,8 @@ impl Operations for VertexList {
         counted(faces, polygon.vertices().count() as u64 + self.corner_count())
     }
 
-    /// One record is written, whatever polygons refer to it (ME-214).
-    #[doc(alias = "ME-214")]
+    /// One record is written, whatever polygons refer to it (ME-14).
+    #[doc(alias = "ME-14")]
     fn move_vertex(&mut self, vertex: &u32, to: Point) -> Result<Counted<()>, NoSuch> {
         *self.vertices.get_mut(*vertex as usize).ok_or(NoSuch::Vertex)? = to;
         counted((), 1)

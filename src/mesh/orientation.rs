@@ -22,9 +22,9 @@ pub struct Crossing {
 }
 
 impl Gluing {
-    /// An orientation, or a path that excludes one (ME-351).
-    #[doc(alias = "ME-351")]
-    #[doc(alias = "ME-367")]
+    /// An orientation, or a path that excludes one (ME-126).
+    #[doc(alias = "ME-126")]
+    #[doc(alias = "ME-142")]
     pub fn orientation(&self) -> Orientation {
         let n = self.polygons().len();
         let mut turned: Vec<Option<bool>> = vec![None; n];
@@ -53,8 +53,8 @@ impl Gluing {
         Orientation::Oriented(turned.into_iter().map(|t| t.expect("every polygon was reached")).collect())
     }
 
-    /// Whether it can be oriented (ME-369).
-    #[doc(alias = "ME-369")]
+    /// Whether it can be oriented (ME-144).
+    #[doc(alias = "ME-144")]
     pub fn is_orientable(&self) -> bool {
         match self.orientation() {
             Orientation::Oriented(_) => true,

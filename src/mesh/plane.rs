@@ -22,8 +22,8 @@ pub enum Span {
 
 /// What some points span.
 ///
-/// Three points always span less than space: a triangle is plane, but the plane is only one where it is no line (ME-117).
-#[doc(alias = "ME-117")]
+/// Three points always span less than space: a triangle is plane, but the plane is only one where it is no line (ME-62).
+#[doc(alias = "ME-62")]
 pub fn span<'a>(points: impl IntoIterator<Item = &'a Point>) -> Span {
     let mut points = points.into_iter();
     let Some(first) = points.next() else { return Span::Empty };
@@ -46,34 +46,34 @@ pub fn span<'a>(points: impl IntoIterator<Item = &'a Point>) -> Span {
 }
 
 /// V₁V₂ × V₁V₃ = V₂V₃ × V₂V₁ = V₃V₁ × V₃V₂ (5.12), a normal to the plane of three points: twice the triangle's area, and
-/// counterclockwise seen from its tip. ME-118.
+/// counterclockwise seen from its tip. ME-63.
 ///
-/// It is 0 iff the three are collinear (ME-119). Of three consecutive vertices of a simple plane polygon it has the polygon's
-/// own sense where the corner is convex, the other one where it is reflex (ME-121).
-#[doc(alias = "ME-118")]
-#[doc(alias = "ME-119")]
-#[doc(alias = "ME-121")]
+/// It is 0 iff the three are collinear (ME-64). Of three consecutive vertices of a simple plane polygon it has the polygon's
+/// own sense where the corner is convex, the other one where it is reflex (ME-66).
+#[doc(alias = "ME-63")]
+#[doc(alias = "ME-64")]
+#[doc(alias = "ME-66")]
 pub fn corner_normal([v1, v2, v3]: [&Point; 3]) -> Point {
     (v2.clone() - v1).cross(&(v3.clone() - v1))
 }
 
-/// i ⊕ 1 for i in 1 … n: i + 1, but 1 where i = n (5.14). ME-123.
+/// i ⊕ 1 for i in 1 … n: i + 1, but 1 where i = n (5.14). ME-68.
 ///
 /// # Panics
 /// Unless 1 ≤ i ≤ n.
-#[doc(alias = "ME-123")]
+#[doc(alias = "ME-68")]
 pub fn successor(i: usize, n: usize) -> usize {
     assert!((1..=n).contains(&i), "{i} is not in 1 … {n}");
     if i == n { 1 } else { i + 1 }
 }
 
 /// (A, B, C), the signed areas of the polygon's projections on the planes (y,z), (z,x), (x,y), positive where the projection
-/// runs counterclockwise: (0, 0, 1) for the unit square of z = 0, counterclockwise. ME-122.
+/// runs counterclockwise: (0, 0, 1) for the unit square of z = 0, counterclockwise. ME-67.
 ///
 /// A = ½ Σ (yᵢ − yᵢ⊕₁)(zᵢ + zᵢ⊕₁), B = ½ Σ (zᵢ − zᵢ⊕₁)(xᵢ + xᵢ⊕₁), C = ½ Σ (xᵢ − xᵢ⊕₁)(yᵢ + yᵢ⊕₁): the trapezoids under the sides.
 /// The vector is a normal where the polygon is plane and its sides enclose an area; it is 0 for a bow-tie of two equal parts.
-#[doc(alias = "ME-122")]
-#[doc(alias = "ME-124")]
+#[doc(alias = "ME-67")]
+#[doc(alias = "ME-69")]
 pub fn projected_areas<'a>(polygon: impl IntoIterator<Item = &'a Point>) -> Point {
     let vertices: Vec<&Point> = polygon.into_iter().collect();
     let n = vertices.len();
@@ -89,7 +89,7 @@ pub fn projected_areas<'a>(polygon: impl IntoIterator<Item = &'a Point>) -> Poin
 
 /// The plane A x + B y + C z = D, (A, B, C) ≠ 0 (5.10). Its upper side is the one that (A, B, C) points to.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "ME-115")]
+#[doc(alias = "ME-60")]
 pub struct Plane {
     normal: Point,
     offset: Rational,
@@ -115,18 +115,18 @@ impl Plane {
         if normal == Vector::zero() { Err(NoPlane::ZeroNormal) } else { Ok(Plane { normal, offset }) }
     }
 
-    /// The plane through three points, counterclockwise seen from above; D is the same from each of them (ME-120).
+    /// The plane through three points, counterclockwise seen from above; D is the same from each of them (ME-65).
     ///
     /// # Errors
     /// Iff they are collinear.
-    #[doc(alias = "ME-120")]
+    #[doc(alias = "ME-65")]
     pub fn through(points: [&Point; 3]) -> Result<Plane, NoPlane> {
         let normal = corner_normal(points);
         let offset = normal.dot(points[0]);
         Plane::new(normal, offset)
     }
 
-    /// The plane of a polygon: its projected areas, and the offset of least squares. ME-127.
+    /// The plane of a polygon: its projected areas, and the offset of least squares. ME-72.
     ///
     /// # Errors
     /// Iff the projected areas are all 0, as they are for fewer than 3 vertices.
@@ -147,14 +147,14 @@ impl Plane {
     }
 
     /// k² = 1/(A² + B² + C²), the square of the factor that makes the normal a unit vector (5.11). D takes the same factor.
-    /// ME-116.
-    #[doc(alias = "ME-116")]
+    /// ME-61.
+    #[doc(alias = "ME-61")]
     pub fn unit_factor_squared(&self) -> Rational {
         self.normal.norm_squared().recip()
     }
 
-    /// A x + B y + C z − D: |(A, B, C)| times the signed distance of a point, positive above. ME-126.
-    #[doc(alias = "ME-126")]
+    /// A x + B y + C z − D: |(A, B, C)| times the signed distance of a point, positive above. ME-71.
+    #[doc(alias = "ME-71")]
     pub fn height(&self, point: &Point) -> Rational {
         self.normal.dot(point) - &self.offset
     }
@@ -164,16 +164,16 @@ impl Plane {
         Sign::of(self.height(point).cmp0())
     }
 
-    /// d² = (A x + B y + C z − D)² / (A² + B² + C²), the squared distance of a point. ME-125.
-    #[doc(alias = "ME-125")]
+    /// d² = (A x + B y + C z − D)² / (A² + B² + C²), the squared distance of a point. ME-70.
+    #[doc(alias = "ME-70")]
     pub fn distance_squared(&self, point: &Point) -> Rational {
         self.height(point).square() * self.unit_factor_squared()
     }
 }
 
 /// The D with the least Σ (A x + B y + C z − D)² over some points: (A, B, C) · their mean. `None` iff there is none.
-/// ME-127.
-#[doc(alias = "ME-127")]
+/// ME-72.
+#[doc(alias = "ME-72")]
 pub fn least_squares_offset<'a>(normal: &Point, points: impl IntoIterator<Item = &'a Point>) -> Option<Rational> {
     let heights: Vec<Rational> = points.into_iter().map(|point| normal.dot(point)).collect();
     (!heights.is_empty()).then(|| heights.iter().sum::<Rational>() / Rational::from(heights.len()))

@@ -24,16 +24,16 @@ fn loop_of(numbers: &[i32]) -> Vec<Side> {
 
 const TRIANGLE: [[i64; 2]; 3] = [[50, 100], [100, 0], [0, 0]];
 
-/// The triangle by faces and vertices: Ft1 = (Vt1, Vt2, Vt3), Ft2 = (Vt1, Vt3, Vt2) (ME-232). A closed mesh of two
+/// The triangle by faces and vertices: Ft1 = (Vt1, Vt2, Vt3), Ft2 = (Vt1, Vt3, Vt2) (ME-32). A closed mesh of two
 /// faces, each clockwise from its own side.
-#[doc(alias = "ME-232")]
+#[doc(alias = "ME-32")]
 pub fn triangle() -> VertexList {
     VertexList { vertices: TRIANGLE.map(tenths).to_vec(), faces: vec![Face::from([0, 1, 2]), Face::from([0, 2, 1])] }
 }
 
 /// The triangle by faces, edges and vertices: At1 = (Vt1, Vt2), At2 = (Vt2, Vt3), At3 = (Vt3, Vt1);
-/// Ft1 = (At1, At2, At3), Ft2 = (At1, At3, At2) (ME-233). That an edge lists its faces is added.
-#[doc(alias = "ME-233")]
+/// Ft1 = (At1, At2, At3), Ft2 = (At1, At3, At2) (ME-33). That an edge lists its faces is added.
+#[doc(alias = "ME-33")]
 pub fn triangle_records() -> EdgeRecords {
     let edge = |ends| super::edge_list::Edge { ends, faces: vec![0, 1] };
     EdgeRecords {
@@ -43,9 +43,9 @@ pub fn triangle_records() -> EdgeRecords {
     }
 }
 
-/// The hollow triangle, "triângulo vazado": two faces, each with a hole (ME-234). The text lists the six edges of a
+/// The hollow triangle, "triângulo vazado": two faces, each with a hole (ME-34). The text lists the six edges of a
 /// face in one row; that the last three are a loop of their own is in [`hollow_triangle_rows`] for the reader to find.
-#[doc(alias = "ME-234")]
+#[doc(alias = "ME-34")]
 pub fn hollow_triangle() -> EdgeList {
     let vertices = [[50, 100], [100, 0], [0, 0], [1, 1], [99, 1], [50, 99]].map(tenths).to_vec();
     let ends = vec![[0, 1], [1, 2], [2, 0], [4, 3], [3, 5], [5, 4]];
@@ -60,8 +60,8 @@ pub fn hollow_triangle_rows() -> [[u32; 6]; 2] {
 }
 
 /// A segment as an object: a quadrilateral of half the given width to either side of the segment from (0, 0) to (1, 0),
-/// with two faces and four edges (ME-235). `None` iff it has no width.
-#[doc(alias = "ME-235")]
+/// with two faces and four edges (ME-35). `None` iff it has no width.
+#[doc(alias = "ME-35")]
 pub fn segment(half_width: &Rational) -> Option<VertexList> {
     let at = |x: i64, y: Rational| Vector([Rational::from(x), y, Rational::new()]);
     let (below, above) = (Rational::from(-half_width), half_width.clone());
@@ -71,7 +71,7 @@ pub fn segment(half_width: &Rational) -> Option<VertexList> {
 }
 
 /// The house, "casinha", by its printed vertices and faces: F1 = (V1, V2, V3, V4), F2 = (V4, V3, V6, V5),
-/// F3 = (V2, V1, V4, V3), F4 = (V3, V4, V5, V6). All four use the edge of V3 and V4 (ME-236).
+/// F3 = (V2, V1, V4, V3), F4 = (V3, V4, V5, V6). All four use the edge of V3 and V4 (ME-36).
 pub fn house() -> VertexList {
     VertexList {
         vertices: [[20, 10], [50, 10], [50, 30], [20, 30], [30, 40], [40, 40]].map(tenths).to_vec(),
@@ -92,8 +92,8 @@ pub enum HouseReading {
 }
 
 /// The house with its eight printed edges, each common to two faces, which run along it in opposite directions
-/// (ME-236).
-#[doc(alias = "ME-236")]
+/// (ME-36).
+#[doc(alias = "ME-36")]
 pub fn house_with_edges(reading: HouseReading) -> EdgeList {
     let [f2, f3] = match reading {
         HouseReading::FrontAndBack => [3, 8],

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use thiserror::Error;
 
 /// What an edge knows of the loop that runs along it in one direction. The loops being counterclockwise, clockwise the
-/// successor is `previous`, the predecessor `next` (ME-230).
+/// successor is `previous`, the predecessor `next` (ME-30).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Wing {
     /// The face.
@@ -19,9 +19,9 @@ pub struct Wing {
     pub next: EdgeId,
 }
 
-/// The record of an edge (ME-228).
+/// The record of an edge (ME-28).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[doc(alias = "ME-228")]
+#[doc(alias = "ME-28")]
 pub struct WingedEdge {
     /// Its two vertices.
     pub ends: [u32; 2],
@@ -48,9 +48,9 @@ pub struct WingedVertex {
 }
 
 /// A mesh by winged edges. It holds what has at most one use of each edge in either direction: manifolds with or
-/// without boundary, and also vertices with several fans (ME-244), polygons with holes, edges without polygon.
+/// without boundary, and also vertices with several fans (ME-44), polygons with holes, edges without polygon.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-#[doc(alias = "ME-244")]
+#[doc(alias = "ME-44")]
 pub struct WingedEdges {
     vertices: Vec<WingedVertex>,
     edges: Vec<WingedEdge>,
@@ -95,7 +95,7 @@ impl TryFrom<&EdgeList> for WingedEdges {
     /// The winged edges of a mesh, vertices, edges and faces numbered as they are.
     ///
     /// Errors: `OneEnd`, `Uses`, `EmptyLoop` for the first edge or loop for which it holds, in this order.
-    #[doc(alias = "ME-229")]
+    #[doc(alias = "ME-29")]
     fn try_from(list: &EdgeList) -> Result<WingedEdges, WingError> {
         for (number, (edge, uses)) in list.edges().iter().zip(list.uses()).enumerate() {
             let (id, [a, b]) = (EdgeId::of(number), edge.ends);
@@ -129,8 +129,8 @@ impl TryFrom<&EdgeList> for WingedEdges {
 }
 
 impl From<&WingedEdges> for EdgeList {
-    /// The edge list: the numbers and loops are the same, so that both ways round nothing changes (ME-242).
-    #[doc(alias = "ME-242")]
+    /// The edge list: the numbers and loops are the same, so that both ways round nothing changes (ME-42).
+    #[doc(alias = "ME-42")]
     fn from(mesh: &WingedEdges) -> EdgeList {
         let positions = mesh.vertices.iter().map(|vertex| vertex.position.clone()).collect();
         let ends = mesh.edges.iter().map(|edge| edge.ends).collect();
@@ -171,8 +171,8 @@ impl WingedEdges {
         self.next(outgoing.reversed()).map(|side| side.edge)
     }
 
-    /// The edges at every vertex, clockwise (ME-230).
-    #[doc(alias = "ME-230")]
+    /// The edges at every vertex, clockwise (ME-30).
+    #[doc(alias = "ME-30")]
     fn set_fans(&mut self) {
         let mut spokes: Vec<Vec<EdgeId>> = vec![Vec::new(); self.vertices.len()];
         for (number, edge) in self.edges.iter().enumerate() {
@@ -239,8 +239,8 @@ impl Operations for WingedEdges {
         counted(self.edges.iter().map(place).collect(), 3 * self.edges.len() as u64)
     }
 
-    /// They stand in the vertex's record: no list is searched, here and below (ME-231).
-    #[doc(alias = "ME-231")]
+    /// They stand in the vertex's record: no list is searched, here and below (ME-31).
+    #[doc(alias = "ME-31")]
     fn edges_at(&self, vertex: &u32) -> Result<Counted<Vec<EdgeId>>, NoSuch> {
         let mut edges = self.spokes(*vertex)?;
         edges.sort_unstable();
@@ -253,8 +253,8 @@ impl Operations for WingedEdges {
         counted([a.min(b), a.max(b)], 1)
     }
 
-    /// They stand in the edge's record, one or two (ME-227).
-    #[doc(alias = "ME-227")]
+    /// They stand in the edge's record, one or two (ME-27).
+    #[doc(alias = "ME-27")]
     fn faces_of_edge(&self, edge: &EdgeId) -> Result<Counted<Vec<usize>>, NoSuch> {
         let wings = self.edge(*edge)?.wings;
         let faces: BTreeSet<usize> = wings.iter().flatten().map(|wing| wing.face).collect();

@@ -47,12 +47,12 @@ pub fn inverse(word: &[Side]) -> Vec<Side> {
     word.iter().rev().map(|side| side.reversed()).collect()
 }
 
-/// The normal form of a word that has each label twice (ME-356). The moves, with A for a⁻¹:
+/// The normal form of a word that has each label twice (ME-131). The moves, with A for a⁻¹:
 /// aA → nothing; aXaY → the cross-cap aa and X⁻¹Y; aXbYAZBW → the handle abAB and ZYXW.
 ///
 /// # Panics
 /// Iff a label does not stand just twice.
-#[doc(alias = "ME-356")]
+#[doc(alias = "ME-131")]
 pub fn normal_form(word: &[Side]) -> NormalForm {
     assert!(pairs(word).values().all(|places| places.len() == 2), "each label stands twice");
     let mut word = word.to_vec();
@@ -99,11 +99,11 @@ fn interlaced(word: &[Side]) -> Option<[usize; 4]> {
 }
 
 /// The rank over ℤ/2 of the intersection form of a word's labels: two labels meet if they are interlaced, a label meets itself if
-/// both its sides run one way. It is 2 − χ (Cohn and Lempel), and the surface is orientable iff the diagonal is 0 (ME-357).
+/// both its sides run one way. It is 2 − χ (Cohn and Lempel), and the surface is orientable iff the diagonal is 0 (ME-132).
 ///
 /// # Panics
 /// Iff a label does not stand just twice.
-#[doc(alias = "ME-357")]
+#[doc(alias = "ME-132")]
 pub fn intersection_rank(word: &[Side]) -> usize {
     let pairs: Vec<[usize; 2]> =
         pairs(word).into_values().map(|p| <[usize; 2]>::try_from(p).expect("each label stands twice")).collect();

@@ -1,4 +1,4 @@
-//! Gauss–Bonnet for any triangle complex, with a border, for spheres, and by indices: ME-501, ME-502, ME-504, ME-508.
+//! Gauss–Bonnet for any triangle complex, with a border, for spheres, and by indices: ME-118, ME-119, ME-121, ME-125.
 
 use isoracle::linear::Vector;
 use isoracle::mesh::angle_deficit::{AngleError, AngleMesh, GaussBonnet, multiple_of_pi};
@@ -82,7 +82,7 @@ fn positions(n: usize) -> impl Strategy<Value = Vec<Point>> {
     prop::collection::vec(prop::array::uniform3(coordinate).prop_map(Vector), n)
 }
 
-mod me_501 {
+mod me_118 {
     use super::*;
 
     #[test]
@@ -231,7 +231,7 @@ mod me_501 {
     }
 }
 
-mod me_502 {
+mod me_119 {
     use super::*;
 
     /// Each vertex with the edges at it that are in just one triangle.
@@ -309,7 +309,7 @@ mod me_502 {
     }
 }
 
-mod me_504 {
+mod me_121 {
     use super::*;
 
     #[test]
@@ -368,7 +368,7 @@ mod me_504 {
     }
 }
 
-mod me_508 {
+mod me_125 {
     use super::*;
 
     /// One direction of each of the 48 chambers of the cube's symmetries.

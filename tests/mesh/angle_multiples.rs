@@ -1,4 +1,4 @@
-//! Sums of angles, exactly: those of a triangle, and which are rational multiples of π: ME-505 … ME-507.
+//! Sums of angles, exactly: those of a triangle, and which are rational multiples of π: ME-122 … ME-124.
 
 use isoracle::linear::Vector;
 use isoracle::mesh::angle_deficit::{AngleMesh, CornerAngle, half_turns, multiple_of_pi};
@@ -46,7 +46,7 @@ fn corners() -> impl Strategy<Value = [Vector<Rational, 3>; 3]> {
     prop::array::uniform3(prop::array::uniform3(coordinate).prop_map(Vector))
 }
 
-mod me_505 {
+mod me_122 {
     use super::*;
 
     proptest! {
@@ -95,7 +95,7 @@ mod me_505 {
     }
 }
 
-mod me_506 {
+mod me_123 {
     use super::*;
 
     /// a + b s + c t + d st with s² = −M, t² = −N: a field iff MN is no square.
@@ -355,7 +355,7 @@ mod me_506 {
     }
 }
 
-mod me_507 {
+mod me_124 {
     use super::*;
 
     #[test]

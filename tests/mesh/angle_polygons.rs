@@ -1,6 +1,6 @@
-//! Gauss–Bonnet for plane polygons with holes: ME-503.
+//! Gauss–Bonnet for plane polygons with holes: ME-120.
 
-mod me_503 {
+mod me_120 {
     use isoracle::linear::Vector;
     use isoracle::mesh::angle_deficit::{AngleMesh, GaussBonnet, PolygonAngleMesh, PolygonError};
     use isoracle::mesh::examples::{cube, mesh, point, tetrahedron};

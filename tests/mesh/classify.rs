@@ -78,7 +78,7 @@ fn assert_oriented(gluing: &Gluing, is_one_sided: bool) {
     }
 }
 
-mod me_351 {
+mod me_126 {
     use super::*;
 
     #[test]
@@ -109,7 +109,7 @@ mod me_351 {
     }
 }
 
-mod me_355 {
+mod me_130 {
     use super::*;
 
     #[test]
@@ -142,7 +142,7 @@ mod me_355 {
     }
 }
 
-mod me_356 {
+mod me_131 {
     use super::*;
 
     #[test]
@@ -178,7 +178,7 @@ mod me_356 {
     }
 }
 
-mod me_357 {
+mod me_132 {
     use super::*;
 
     #[test]
@@ -192,7 +192,7 @@ mod me_357 {
     }
 }
 
-mod me_358 {
+mod me_133 {
     use super::*;
 
     #[test]
@@ -250,7 +250,7 @@ mod me_358 {
     }
 }
 
-mod me_359 {
+mod me_134 {
     use super::*;
 
     #[test]
@@ -272,7 +272,7 @@ mod me_359 {
     }
 }
 
-mod me_361 {
+mod me_136 {
     use super::*;
 
     #[test]
@@ -298,7 +298,7 @@ mod me_361 {
     }
 }
 
-mod me_368 {
+mod me_143 {
     use super::*;
 
     #[test]

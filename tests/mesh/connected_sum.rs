@@ -46,7 +46,7 @@ fn without(complex: &SimplicialComplex, vertex: u32) -> SimplicialComplex {
     SimplicialComplex::new(kept.cloned())
 }
 
-mod me_360 {
+mod me_135 {
     use super::*;
 
     #[test]
@@ -104,7 +104,7 @@ mod me_360 {
     }
 }
 
-mod me_362 {
+mod me_137 {
     use super::*;
 
     #[test]
@@ -134,7 +134,7 @@ mod me_362 {
     }
 }
 
-mod me_363 {
+mod me_138 {
     use super::*;
 
     #[test]
@@ -161,7 +161,7 @@ mod me_363 {
     }
 }
 
-mod me_364 {
+mod me_139 {
     use super::*;
 
     #[test]
@@ -186,7 +186,7 @@ mod me_364 {
     }
 }
 
-mod me_365 {
+mod me_140 {
     use super::*;
 
     #[test]
@@ -202,7 +202,7 @@ mod me_365 {
     }
 }
 
-mod me_366 {
+mod me_141 {
     use super::*;
 
     #[test]
@@ -216,7 +216,7 @@ mod me_366 {
     }
 }
 
-mod me_369 {
+mod me_144 {
     use super::*;
 
     #[test]
@@ -236,7 +236,7 @@ mod me_369 {
     }
 }
 
-mod me_310 {
+mod me_84 {
     use super::*;
 
     /// Whether a segment and a triangle without a common end meet, for points in general position.

@@ -88,7 +88,7 @@ fn of_first<M: Operations>(mesh: &M, vertex: &M::Vertex) -> [u64; 5] {
     reads.map(|reads| reads.expect("the names are those of the mesh"))
 }
 
-mod me_204 {
+mod me_4 {
     use super::*;
 
     #[test]
@@ -116,7 +116,7 @@ mod me_204 {
     }
 }
 
-mod me_205 {
+mod me_5 {
     use super::*;
 
     fn strokes(list: &VertexList, ends: [u32; 2]) -> usize {
@@ -145,7 +145,7 @@ mod me_205 {
     }
 }
 
-mod me_206 {
+mod me_6 {
     use super::*;
 
     #[test]
@@ -182,7 +182,7 @@ mod me_206 {
     }
 }
 
-mod me_207 {
+mod me_7 {
     use super::*;
 
     #[test]
@@ -199,7 +199,7 @@ mod me_207 {
     }
 }
 
-mod me_208 {
+mod me_8 {
     use super::*;
 
     #[test]
@@ -224,7 +224,7 @@ mod me_208 {
     }
 }
 
-mod me_213 {
+mod me_13 {
     use super::*;
 
     #[test]
@@ -261,7 +261,7 @@ mod me_213 {
     }
 }
 
-mod me_214 {
+mod me_14 {
     use super::*;
 
     #[test]
@@ -280,7 +280,7 @@ mod me_214 {
     }
 }
 
-mod me_215 {
+mod me_15 {
     use super::*;
 
     #[test]
@@ -297,7 +297,7 @@ mod me_215 {
     }
 }
 
-mod me_216 {
+mod me_16 {
     use super::*;
 
     #[test]
@@ -320,7 +320,7 @@ mod me_216 {
     }
 }
 
-mod me_223 {
+mod me_23 {
     use super::*;
 
     #[test]
@@ -343,7 +343,7 @@ mod me_223 {
     }
 }
 
-mod me_224 {
+mod me_24 {
     use super::*;
 
     #[test]
@@ -359,7 +359,7 @@ mod me_224 {
     }
 }
 
-mod me_225 {
+mod me_25 {
     use super::*;
 
     #[test]
@@ -375,7 +375,7 @@ mod me_225 {
     }
 }
 
-mod me_226 {
+mod me_26 {
     use super::*;
 
     #[test]
@@ -406,7 +406,7 @@ mod me_226 {
     }
 }
 
-mod me_227 {
+mod me_27 {
     use super::*;
 
     #[test]
@@ -425,7 +425,7 @@ mod me_227 {
     }
 }
 
-mod me_231 {
+mod me_31 {
     use super::*;
 
     #[test]

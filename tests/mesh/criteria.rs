@@ -1,4 +1,4 @@
-//! ME-103 … ME-105, ME-108, ME-110, ME-112, ME-113, ME-128, ME-129: the other criteria, and what they all let pass.
+//! ME-48 … ME-50, ME-53, ME-55, ME-57, ME-58, ME-73, ME-74: the other criteria, and what they all let pass.
 
 use super::printed_criteria::*;
 use super::specimens::*;
@@ -11,7 +11,7 @@ use isoracle::mesh::vertex_list::{Point, VertexList};
 use isoracle::number::Rational;
 use std::collections::BTreeSet;
 
-mod me_103 {
+mod me_48 {
     use super::*;
 
     #[test]
@@ -39,7 +39,7 @@ mod me_103 {
     }
 }
 
-mod me_104 {
+mod me_49 {
     use super::*;
 
     #[test]
@@ -64,7 +64,7 @@ mod me_104 {
     }
 }
 
-mod me_105 {
+mod me_50 {
     use super::*;
 
     #[test]
@@ -84,7 +84,7 @@ mod me_105 {
     }
 }
 
-mod me_108 {
+mod me_53 {
     use super::*;
 
     #[test]
@@ -108,7 +108,7 @@ mod me_108 {
     }
 }
 
-mod me_110 {
+mod me_55 {
     use super::*;
 
     #[test]
@@ -130,7 +130,7 @@ mod me_110 {
     }
 }
 
-mod me_112 {
+mod me_57 {
     use super::*;
 
     #[test]
@@ -144,7 +144,7 @@ mod me_112 {
     }
 }
 
-mod me_113 {
+mod me_58 {
     use super::*;
 
     #[test]
@@ -160,7 +160,7 @@ mod me_113 {
     }
 }
 
-mod me_128 {
+mod me_73 {
     use super::*;
 
     #[test]
@@ -187,7 +187,7 @@ mod me_128 {
     }
 }
 
-mod me_129 {
+mod me_74 {
     use super::*;
 
     /// The meshes that pass, with all that is wrong with them.

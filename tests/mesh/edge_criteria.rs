@@ -1,4 +1,4 @@
-//! ME-101, ME-102, ME-106, ME-107, ME-109, ME-111, ME-114: the criteria on edges and their polygons.
+//! ME-46, ME-47, ME-51, ME-52, ME-54, ME-56, ME-59: the criteria on edges and their polygons.
 
 use super::printed_criteria::*;
 use super::specimens::*;
@@ -10,7 +10,7 @@ use isoracle::mesh::vertex_list::VertexList;
 use isoracle::number::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 
-mod me_101 {
+mod me_46 {
     use super::*;
 
     #[test]
@@ -45,7 +45,7 @@ mod me_101 {
     }
 }
 
-mod me_102 {
+mod me_47 {
     use super::*;
 
     #[test]
@@ -111,7 +111,7 @@ mod me_102 {
     }
 }
 
-mod me_106 {
+mod me_51 {
     use super::*;
 
     #[test]
@@ -132,7 +132,7 @@ mod me_106 {
     }
 }
 
-mod me_107 {
+mod me_52 {
     use super::*;
 
     /// b₁ over ℤ/2 of a connected complex of discs: b₂ is the dimension of the space of sets of faces with an even number at
@@ -153,7 +153,7 @@ mod me_107 {
     }
 }
 
-mod me_109 {
+mod me_54 {
     use super::*;
 
     #[test]
@@ -192,7 +192,7 @@ mod me_109 {
     }
 }
 
-mod me_111 {
+mod me_56 {
     use super::*;
 
     #[test]
@@ -208,7 +208,7 @@ mod me_111 {
     }
 }
 
-mod me_114 {
+mod me_59 {
     use super::*;
 
     #[test]

@@ -63,7 +63,7 @@ fn parts_through_squares(cells: &BTreeSet<[i64; 3]>) -> i64 {
     parts
 }
 
-mod me_314 {
+mod me_88 {
     use super::*;
 
     #[test]
@@ -78,7 +78,7 @@ mod me_314 {
     }
 }
 
-mod me_316 {
+mod me_90 {
     use super::*;
 
     #[derive(Clone, Copy, Debug)]
@@ -173,7 +173,7 @@ mod me_316 {
     }
 }
 
-mod me_317 {
+mod me_91 {
     use super::*;
 
     fn balance(mesh: &VertexList) -> Result<Balance, FaceError> {
@@ -202,7 +202,7 @@ mod me_317 {
     }
 }
 
-mod me_320 {
+mod me_94 {
     use super::*;
 
     proptest! {
@@ -218,7 +218,7 @@ mod me_320 {
     }
 }
 
-mod me_328 {
+mod me_102 {
     use super::*;
 
     #[test]
@@ -246,7 +246,7 @@ mod me_328 {
     }
 }
 
-mod me_329 {
+mod me_103 {
     use super::*;
 
     fn assert_balanced(faces: &[Face]) -> Balance {

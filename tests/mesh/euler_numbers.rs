@@ -51,7 +51,7 @@ fn faces_of_edges(faces: &[Face]) -> BTreeMap<[u32; 2], usize> {
     uses
 }
 
-mod me_301 {
+mod me_75 {
     use super::*;
 
     #[test]
@@ -68,7 +68,7 @@ mod me_301 {
     }
 }
 
-mod me_302 {
+mod me_76 {
     use super::*;
 
     #[test]
@@ -82,7 +82,7 @@ mod me_302 {
     }
 }
 
-mod me_303 {
+mod me_77 {
     use super::*;
 
     #[test]
@@ -96,7 +96,7 @@ mod me_303 {
     }
 }
 
-mod me_304 {
+mod me_78 {
     use super::*;
 
     #[test]
@@ -111,7 +111,7 @@ mod me_304 {
     }
 }
 
-mod me_305 {
+mod me_79 {
     use super::*;
 
     #[test]
@@ -127,7 +127,7 @@ mod me_305 {
     }
 }
 
-mod me_306 {
+mod me_80 {
     use super::*;
 
     #[test]
@@ -156,7 +156,7 @@ mod me_306 {
     }
 }
 
-mod me_307 {
+mod me_81 {
     use super::*;
 
     #[test]
@@ -178,7 +178,7 @@ mod me_307 {
     }
 }
 
-mod me_308 {
+mod me_82 {
     use super::*;
 
     #[test]
@@ -198,7 +198,7 @@ mod me_308 {
     }
 }
 
-mod me_309 {
+mod me_83 {
     use super::*;
 
     #[test]
@@ -219,7 +219,7 @@ mod me_309 {
     }
 }
 
-mod me_311 {
+mod me_85 {
     use super::*;
 
     #[test]
@@ -231,7 +231,7 @@ mod me_311 {
     }
 }
 
-mod me_312 {
+mod me_86 {
     use super::*;
 
     #[test]
@@ -260,7 +260,7 @@ mod me_312 {
     }
 }
 
-mod me_313 {
+mod me_87 {
     use super::*;
 
     #[test]
@@ -308,7 +308,7 @@ mod me_313 {
     }
 }
 
-mod me_315 {
+mod me_89 {
     use super::*;
 
     #[test]
@@ -321,7 +321,7 @@ mod me_315 {
     }
 }
 
-mod me_318 {
+mod me_92 {
     use super::*;
 
     #[test]
@@ -340,7 +340,7 @@ mod me_318 {
     }
 }
 
-mod me_319 {
+mod me_93 {
     use super::*;
 
     /// The three conditions of the footnote.

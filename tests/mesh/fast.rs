@@ -262,8 +262,8 @@ fn the_audit_hears_of_every_element_that_is_left_out() {
     assert!(audit(&mesh, &wrong, 1).is_err());
 }
 
-/// ME-606
-mod me_606 {
+/// ME-150
+mod me_150 {
     use super::*;
     use isoracle::mesh::fast::equal::{first_at_position, first_of_cycle, groups, same_cycle};
 
@@ -306,8 +306,8 @@ mod me_606 {
     }
 }
 
-/// ME-607
-mod me_607 {
+/// ME-151
+mod me_151 {
     use super::*;
 
     #[test]
@@ -325,8 +325,8 @@ mod me_607 {
     }
 }
 
-/// ME-609
-mod me_609 {
+/// ME-153
+mod me_153 {
     use super::*;
     use isoracle::mesh::triangles::{self, MeshComponent};
 

@@ -65,8 +65,8 @@ fn weight() -> impl Strategy<Value = f64> {
     prop_oneof![prop::sample::select(HALVES.to_vec()), -1.0..2.0_f64]
 }
 
-/// ME-601
-mod me_601 {
+/// ME-145
+mod me_145 {
     use super::*;
     use isoracle::mesh::fast::exact::{collinear, orientation};
 
@@ -96,8 +96,8 @@ mod me_601 {
     }
 }
 
-/// ME-602
-mod me_602 {
+/// ME-146
+mod me_146 {
     use super::*;
     use isoracle::mesh::fast::exact::side_of_plane;
 
@@ -116,8 +116,8 @@ mod me_602 {
     }
 }
 
-/// ME-603
-mod me_603 {
+/// ME-147
+mod me_147 {
     use super::*;
     use isoracle::mesh::fast::exact::strictly_between;
 
@@ -150,8 +150,8 @@ mod me_603 {
     }
 }
 
-/// ME-604
-mod me_604 {
+/// ME-148
+mod me_148 {
     use super::*;
     use isoracle::mesh::fast::exact::Dyadic;
     use isoracle::mesh::fast::sum::DyadicSum;
@@ -194,8 +194,8 @@ mod me_604 {
     }
 }
 
-/// ME-605
-mod me_605 {
+/// ME-149
+mod me_149 {
     use super::*;
     use isoracle::mesh::fast::between::junctions;
     use isoracle::mesh::fast::exact::strictly_between;
@@ -254,8 +254,8 @@ mod me_605 {
     }
 }
 
-/// ME-608
-mod me_608 {
+/// ME-152
+mod me_152 {
     use super::*;
     use isoracle::mesh::fast::area::{Area, WORD_BITS, area};
     use isoracle::mesh::fast::shape::doubled_vector_area;

@@ -54,7 +54,7 @@ fn faces_of_edges(faces: &[Face]) -> BTreeMap<[u32; 2], usize> {
     uses
 }
 
-mod me_322 {
+mod me_96 {
     use super::*;
 
     #[test]
@@ -68,7 +68,7 @@ mod me_322 {
     }
 }
 
-mod me_323 {
+mod me_97 {
     use super::*;
 
     #[test]
@@ -82,7 +82,7 @@ mod me_323 {
     }
 }
 
-mod me_324 {
+mod me_98 {
     use super::*;
 
     #[test]
@@ -119,7 +119,7 @@ mod me_324 {
     }
 }
 
-mod me_325 {
+mod me_99 {
     use super::*;
 
     #[test]
@@ -134,7 +134,7 @@ mod me_325 {
     }
 }
 
-mod me_326 {
+mod me_100 {
     use super::*;
 
     #[test]
@@ -174,7 +174,7 @@ mod me_326 {
     }
 }
 
-mod me_330 {
+mod me_104 {
     use super::*;
 
     #[test]
@@ -191,7 +191,7 @@ mod me_330 {
     }
 }
 
-mod me_331 {
+mod me_105 {
     use super::*;
 
     #[test]
@@ -207,7 +207,7 @@ mod me_331 {
     }
 }
 
-mod me_321 {
+mod me_95 {
     use super::*;
 
     #[test]

@@ -51,7 +51,7 @@ fn minors(m: &[Vec<i64>], size: usize) -> Integer {
     gcd
 }
 
-mod me_327 {
+mod me_101 {
     use super::*;
 
     #[test]

@@ -10,7 +10,7 @@ use isoracle::mesh::gluing::Sheets;
 use isoracle::number::Rational;
 use proptest::prelude::*;
 
-mod me_367 {
+mod me_142 {
     use super::*;
 
     proptest! {

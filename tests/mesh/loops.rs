@@ -19,7 +19,7 @@ fn simple_cycles(labels: u32, longest: u32, is_so: impl Fn(&[u32]) -> bool) -> B
     loops(labels, longest).iter().filter(|l| is_simple(l) && is_so(l)).map(|l| cycle(l)).collect()
 }
 
-mod me_203 {
+mod me_3 {
     use super::*;
     use isoracle::mesh::explicit::{ExplicitList, Polygon};
 
@@ -41,7 +41,7 @@ mod me_203 {
     }
 }
 
-mod me_210 {
+mod me_10 {
     use super::*;
 
     #[test]
@@ -63,7 +63,7 @@ mod me_210 {
     }
 }
 
-mod me_211 {
+mod me_11 {
     use super::*;
 
     #[test]
@@ -82,7 +82,7 @@ mod me_211 {
     }
 }
 
-mod me_221 {
+mod me_21 {
     use super::*;
 
     #[test]
@@ -104,7 +104,7 @@ mod me_221 {
     }
 }
 
-mod me_222 {
+mod me_22 {
     use super::*;
 
     /// The loops whose sides have these ends, by trying all loops.

@@ -55,7 +55,7 @@ fn assert_extends_the_closed_conditions(complex: &SimplicialComplex) {
     }
 }
 
-mod me_352 {
+mod me_127 {
     use super::*;
 
     #[test]
@@ -166,7 +166,7 @@ mod me_352 {
     }
 }
 
-mod me_353 {
+mod me_128 {
     use super::*;
 
     #[test]
@@ -269,7 +269,7 @@ mod me_353 {
     }
 }
 
-mod me_354 {
+mod me_129 {
     use super::*;
 
     #[test]

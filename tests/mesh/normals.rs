@@ -1,4 +1,4 @@
-//! ME-121, ME-122, ME-124: the sense of normals, and projected areas.
+//! ME-66, ME-67, ME-69: the sense of normals, and projected areas.
 
 use isoracle::linear::Vector;
 use isoracle::mesh::examples::point;
@@ -98,7 +98,7 @@ fn along_up(n: &Point) -> Rational {
     k
 }
 
-mod me_121 {
+mod me_66 {
     use super::*;
 
     #[test]
@@ -137,7 +137,7 @@ mod me_121 {
     }
 }
 
-mod me_122 {
+mod me_67 {
     use super::*;
 
     fn half(x: Rational) -> Rational {
@@ -233,7 +233,7 @@ mod me_122 {
     }
 }
 
-mod me_124 {
+mod me_69 {
     use super::*;
 
     #[test]

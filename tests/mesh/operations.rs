@@ -108,7 +108,7 @@ fn compare(list: &VertexList) -> bool {
     true
 }
 
-mod me_201 {
+mod me_1 {
     use super::*;
 
     #[test]
@@ -236,7 +236,7 @@ mod me_201 {
     }
 }
 
-mod me_202 {
+mod me_2 {
     use super::*;
 
     #[test]
@@ -251,7 +251,7 @@ mod me_202 {
     }
 }
 
-mod me_245 {
+mod me_45 {
     use super::*;
 
     #[test]

@@ -1,4 +1,4 @@
-//! ME-115 … ME-127: the plane of a polygon, from three vertices and from all.
+//! ME-60 … ME-72: the plane of a polygon, from three vertices and from all.
 
 use super::naive_check::{in_a_plane, on_a_line};
 use super::specimens::{number, rational};
@@ -34,7 +34,7 @@ fn any_point() -> impl Strategy<Value = Point> {
     [coordinate(), coordinate(), coordinate()].prop_map(Vector)
 }
 
-mod me_115 {
+mod me_60 {
     use super::*;
 
     #[test]
@@ -59,7 +59,7 @@ mod me_115 {
     }
 }
 
-mod me_116 {
+mod me_61 {
     use super::*;
 
     #[test]
@@ -88,7 +88,7 @@ mod me_116 {
     }
 }
 
-mod me_117 {
+mod me_62 {
     use super::*;
 
     #[test]
@@ -152,7 +152,7 @@ mod me_117 {
     }
 }
 
-mod me_118 {
+mod me_63 {
     use super::*;
 
     fn holds_for([v1, v2, v3]: [&Point; 3]) {
@@ -196,7 +196,7 @@ mod me_118 {
     }
 }
 
-mod me_119 {
+mod me_64 {
     use super::*;
 
     /// Whether one of the three is between the other two, or two are equal: by ratios of coordinates.
@@ -228,7 +228,7 @@ mod me_119 {
     }
 }
 
-mod me_120 {
+mod me_65 {
     use super::*;
 
     #[test]
@@ -256,7 +256,7 @@ mod me_120 {
     }
 }
 
-mod me_123 {
+mod me_68 {
     use super::*;
 
     #[test]
@@ -277,7 +277,7 @@ mod me_123 {
     }
 }
 
-mod me_125 {
+mod me_70 {
     use super::*;
 
     #[test]
@@ -311,7 +311,7 @@ mod me_125 {
     }
 }
 
-mod me_126 {
+mod me_71 {
     use super::*;
 
     #[test]
@@ -330,7 +330,7 @@ mod me_126 {
     }
 }
 
-mod me_127 {
+mod me_72 {
     use super::*;
 
     /// Σ (A x + B y + C z − D)².

@@ -36,7 +36,7 @@ fn parts(list: &EdgeList) -> usize {
     list.faces().len() - joined
 }
 
-mod me_232 {
+mod me_32 {
     use super::*;
 
     #[test]
@@ -51,7 +51,7 @@ mod me_232 {
     }
 }
 
-mod me_233 {
+mod me_33 {
     use super::*;
 
     #[test]
@@ -81,7 +81,7 @@ mod me_233 {
     }
 }
 
-mod me_234 {
+mod me_34 {
     use super::*;
 
     #[test]
@@ -113,7 +113,7 @@ mod me_234 {
     }
 }
 
-mod me_235 {
+mod me_35 {
     use super::*;
 
     #[test]
@@ -132,7 +132,7 @@ mod me_235 {
     }
 }
 
-mod me_236 {
+mod me_36 {
     use super::*;
 
     #[test]
@@ -199,7 +199,7 @@ mod me_236 {
     }
 }
 
-mod me_237 {
+mod me_37 {
     use super::super::meshes::{closed_manifolds, named};
     use super::*;
 
@@ -227,7 +227,7 @@ mod me_237 {
     }
 }
 
-mod me_239 {
+mod me_39 {
     use super::*;
 
     #[test]

@@ -56,7 +56,7 @@ fn welded(list: &VertexList) -> VertexList {
     VertexList { vertices, faces }
 }
 
-mod me_209 {
+mod me_9 {
     use super::*;
 
     #[test]
@@ -90,7 +90,7 @@ mod me_209 {
     }
 }
 
-mod me_212 {
+mod me_12 {
     use super::*;
 
     #[test]
@@ -103,7 +103,7 @@ mod me_212 {
     }
 }
 
-mod me_217 {
+mod me_17 {
     use super::*;
 
     #[test]
@@ -115,7 +115,7 @@ mod me_217 {
     }
 }
 
-mod me_218 {
+mod me_18 {
     use super::*;
 
     #[test]
@@ -132,7 +132,7 @@ mod me_218 {
     }
 }
 
-mod me_219 {
+mod me_19 {
     use super::*;
 
     #[test]
@@ -161,7 +161,7 @@ mod me_219 {
     }
 }
 
-mod me_220 {
+mod me_20 {
     use super::*;
 
     #[test]
@@ -177,7 +177,7 @@ mod me_220 {
     }
 }
 
-mod me_240 {
+mod me_40 {
     use super::*;
 
     #[test]
@@ -272,7 +272,7 @@ mod me_240 {
     }
 }
 
-mod me_241 {
+mod me_41 {
     use super::*;
 
     #[test]
@@ -317,7 +317,7 @@ mod me_241 {
     }
 }
 
-mod me_242 {
+mod me_42 {
     use super::*;
 
     /// Whether winged edges can hold it, by the definition.
@@ -377,7 +377,7 @@ mod me_242 {
     }
 }
 
-mod me_243 {
+mod me_43 {
     use super::*;
 
     #[test]

@@ -30,7 +30,7 @@ fn corners(list: &VertexList) -> Vec<(usize, [u32; 3])> {
     corners
 }
 
-mod me_228 {
+mod me_28 {
     use super::*;
 
     /// The other edges with an end in common, and those that the record names.
@@ -90,7 +90,7 @@ mod me_228 {
     }
 }
 
-mod me_229 {
+mod me_29 {
     use super::*;
 
     #[test]
@@ -124,7 +124,7 @@ mod me_229 {
     }
 }
 
-mod me_230 {
+mod me_30 {
     use super::*;
 
     #[test]
@@ -209,7 +209,7 @@ mod me_230 {
     }
 }
 
-mod me_243 {
+mod me_43 {
     use super::*;
 
     fn check(name: &str, list: &VertexList) {
@@ -288,7 +288,7 @@ mod me_243 {
     }
 }
 
-mod me_238 {
+mod me_38 {
     use super::*;
 
     /// Whether the normals by the right-hand rule point away from the centre of the cube, face by face.
@@ -336,7 +336,7 @@ mod me_238 {
     }
 }
 
-mod me_244 {
+mod me_44 {
     use super::*;
 
     /// How many parts the corners at a vertex make, joined where they have a side in common.

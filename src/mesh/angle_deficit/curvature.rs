@@ -65,11 +65,11 @@ impl AngleMesh {
     }
 
     /// Gauss and Bonnet's theorem for any triangle complex, ΣK(v) = 2πχ: border, loose vertices, edges of three
-    /// triangles, pinched vertices, triangles that stand twice, all are allowed. ME-501.
+    /// triangles, pinched vertices, triangles that stand twice, all are allowed. ME-118.
     ///
     /// Σ(2 − e + t) = 2#0 − 2#1 + 3#2, since an edge is at two vertices and a triangle at three; the angles take π
     /// a triangle from that.
-    #[doc(alias = "ME-501")]
+    #[doc(alias = "ME-118")]
     pub fn total_curvature(&self) -> GaussBonnet {
         let at_vertex = |v: usize| 2 - i64::from(self.degrees[v]) + self.corners[v].len() as i64;
         let half_turns = (0..self.positions.len()).map(at_vertex).sum::<i64>() - self.angle_sum_in_half_turns();
@@ -77,14 +77,14 @@ impl AngleMesh {
     }
 
     /// Gauss and Bonnet's theorem for a surface with a border, 2πχ = Σ(2π − Σβ) over the inner vertices + Σ(π − Σβ) over
-    /// the vertices of the border; the second sum is what the border turns, its total geodesic curvature. ME-502.
+    /// the vertices of the border; the second sum is what the border turns, its total geodesic curvature. ME-119.
     ///
     /// The vertices of the border are the ends of the edges of one triangle. A vertex of no triangle counts as inner.
     ///
     /// # Errors
     /// `NotASurface` for the least edge of more than two triangles, else `PinchedBorder` for the first vertex of more than
     /// two edges of the border: where the border meets itself, π is not its share.
-    #[doc(alias = "ME-502")]
+    #[doc(alias = "ME-119")]
     pub fn gauss_bonnet_with_border(&self) -> Result<GaussBonnet, AngleError> {
         let mut border_edges = vec![0_u32; self.positions.len()];
         for (&edge, &triangles) in &self.edges {

@@ -33,14 +33,14 @@ impl CornerAngle {
 }
 
 /// What the three angles of a triangle sum up to, as a number of half turns π: it is 1, and this proves it for the
-/// triangle. `None` iff the angles, not being those of a triangle, sum up to no multiple of π. ME-505.
+/// triangle. `None` iff the angles, not being those of a triangle, sum up to no multiple of π. ME-122.
 ///
 /// With xᵢ + √N i for the angles, the product is x₀x₁x₂ − N(x₀+x₁+x₂) + (x₀x₁ + x₁x₂ + x₂x₀ − N)√N i. It is real iff
 /// the sum is a multiple of π; each angle is in (0, π), so the sum is π if it is negative, 2π if it is positive.
 ///
 /// # Panics
 /// Iff the three N are not equal.
-#[doc(alias = "ME-505")]
+#[doc(alias = "ME-122")]
 pub fn half_turns([a, b, c]: &[CornerAngle; 3]) -> Option<i64> {
     assert!(a.n == b.n && b.n == c.n, "the corners of one triangle have one N");
     let (x0, x1, x2, n) = (&a.x, &b.x, &c.x, &a.n);

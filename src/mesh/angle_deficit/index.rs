@@ -8,13 +8,13 @@ use std::collections::BTreeSet;
 impl AngleMesh {
     /// The index 1 − e₋ + t₋ of a vertex for the height ⟨·, direction⟩: e₋ of its edges go to lower vertices, t₋ of its
     /// triangles have their two others lower. It is 1 at a pit of a surface, 1 at a peak, 0 where the surface passes by,
-    /// −1 at a saddle. Over all vertices the indices sum up to χ, for each direction. ME-508.
+    /// −1 at a saddle. Over all vertices the indices sum up to χ, for each direction. ME-125.
     ///
     /// `None` iff a neighbour is as high as the vertex.
     ///
     /// # Panics
     /// Iff there is no such vertex.
-    #[doc(alias = "ME-508")]
+    #[doc(alias = "ME-125")]
     pub fn index(&self, vertex: u32, direction: &Vector<Rational, 3>) -> Option<i64> {
         let height = |v: u32| self.positions[v as usize].dot(direction);
         let of_vertex = height(vertex);

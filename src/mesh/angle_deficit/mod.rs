@@ -1,4 +1,4 @@
-//! Gauss and Bonnet's theorem for triangle meshes, proved for each mesh, not measured (IS-72, ME-501 … ME-508).
+//! Gauss and Bonnet's theorem for triangle meshes, proved for each mesh, not measured (IS-72, ME-118 … ME-125).
 //!
 //! An angle β of a triangle with rational corners is the argument of a number of ℚ(√−N): between the sides p and q
 //! of the corner, ⟨p,q⟩ + |p×q| i, and |p×q| = √N is twice the triangle's area at all three corners. Angles add as these
@@ -183,12 +183,12 @@ impl AngleMesh {
     }
 
     /// The theorem for a closed mesh, Σ (2π − Σβ) = 2πχ: `half_turns` is 2·`chi`. Needs no embedding, no orientation, and
-    /// nothing of vertices. For a sphere it is Descartes' theorem (ME-504).
+    /// nothing of vertices. For a sphere it is Descartes' theorem (ME-121).
     ///
     /// # Errors
     /// `NotClosed` for the least edge that is not in exactly two triangles.
     #[doc(alias = "IS-72")]
-    #[doc(alias = "ME-504")]
+    #[doc(alias = "ME-121")]
     pub fn gauss_bonnet(&self) -> Result<GaussBonnet, AngleError> {
         match self.edges.iter().find(|(_, triangles)| **triangles != 2) {
             Some((&edge, &triangles)) => Err(AngleError::NotClosed { edge, triangles }),

@@ -4,14 +4,14 @@ use super::direction::CornerAngle;
 use crate::number::{Rational, Sign};
 
 /// The sum of the angles divided by π, where that is rational; `None` iff it is irrational. What is rational is a
-/// multiple of 1/12, and one angle alone is π/6, π/4, π/3, π/2, 2π/3, 3π/4 or 5π/6 (ME-506, ME-507).
+/// multiple of 1/12, and one angle alone is π/6, π/4, π/3, π/2, 2π/3, 3π/4 or 5π/6 (ME-123, ME-124).
 ///
 /// It takes one pass a class of radicands whose sum is a multiple, and one that finds a class whose sum is none.
 ///
 /// # Panics
 /// Iff some N ≤ 0: that is no angle.
-#[doc(alias = "ME-506")]
-#[doc(alias = "ME-507")]
+#[doc(alias = "ME-123")]
+#[doc(alias = "ME-124")]
 pub fn multiple_of_pi(angles: &[CornerAngle]) -> Option<Rational> {
     // Let two radicands be of one class if their quotient is the square of a rational; a class is a field ℚ(√−N). If
     // Θ, the sum of the class's angles, is a rational multiple of π for each class, so is the sum of all. The converse:

@@ -1,4 +1,4 @@
-//! Angles of plane polygons with holes, and Gauss and Bonnet's theorem for meshes of them (ME-503).
+//! Angles of plane polygons with holes, and Gauss and Bonnet's theorem for meshes of them (ME-120).
 
 use super::direction::CornerAngle;
 use super::multiple_of_pi::multiple_of_pi;
@@ -139,8 +139,8 @@ impl PolygonAngleMesh {
     }
 
     /// Gauss and Bonnet's theorem, ΣK(v) = 2πχ: a face of n vertices, all loops together, and h holes has the angle sum
-    /// (n − 2 + 2h)π. ME-503.
-    #[doc(alias = "ME-503")]
+    /// (n − 2 + 2h)π. ME-120.
+    #[doc(alias = "ME-120")]
     pub fn total_curvature(&self) -> GaussBonnet {
         let at_vertex = |v: usize| 2 - i64::from(self.degrees[v]) + self.angles[v].len() as i64;
         let half_turns = (0..self.angles.len()).map(at_vertex).sum::<i64>() - self.angle_sum_in_half_turns;

@@ -62,8 +62,8 @@ pub fn out_of_range(mesh: &VertexList, defects: &mut Defects) {
 }
 
 /// Each loop by itself. A loop of 3 or more vertices, none twice, has none of these, and its vertices have two
-/// neighbours or more (ME-103, ME-108).
-#[doc(alias = "ME-103")]
+/// neighbours or more (ME-48, ME-53).
+#[doc(alias = "ME-48")]
 pub fn loops(mesh: &VertexList, defects: &mut Defects) {
     for (i, face) in mesh.faces.iter().enumerate() {
         for vertices in face.loops() {
@@ -81,11 +81,11 @@ pub fn loops(mesh: &VertexList, defects: &mut Defects) {
 }
 
 /// Each edge by its uses.
-#[doc(alias = "ME-101")]
-#[doc(alias = "ME-102")]
-#[doc(alias = "ME-107")]
-#[doc(alias = "ME-109")]
-#[doc(alias = "ME-111")]
+#[doc(alias = "ME-46")]
+#[doc(alias = "ME-47")]
+#[doc(alias = "ME-52")]
+#[doc(alias = "ME-54")]
+#[doc(alias = "ME-56")]
 pub fn edges(uses: &Uses, defects: &mut Defects) {
     for (edge, uses) in uses.iter() {
         let n = uses.len();
@@ -109,8 +109,8 @@ pub fn edges(uses: &Uses, defects: &mut Defects) {
 }
 
 /// Each vertex by its edges and corners.
-#[doc(alias = "ME-108")]
-#[doc(alias = "ME-112")]
+#[doc(alias = "ME-53")]
+#[doc(alias = "ME-57")]
 pub fn vertices(mesh: &VertexList, uses: &Uses, defects: &mut Defects) {
     let used = used(mesh);
     let mut neighbours = vec![0; mesh.vertices.len()];

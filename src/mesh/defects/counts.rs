@@ -71,8 +71,8 @@ pub fn counts(mesh: &VertexList, uses: &Uses, defects: &mut Defects) -> Counts {
     Counts { vertices, edges, faces, holes, components, chi, genus, closed, orientable, manifold, volume }
 }
 
-/// C. By edges alone, faces with holes would fall apart (ME-128).
-#[doc(alias = "ME-128")]
+/// C. By edges alone, faces with holes would fall apart (ME-73).
+#[doc(alias = "ME-73")]
 fn components(mesh: &VertexList) -> usize {
     let mut joined = Partition::new(mesh.vertices.len());
     for face in &mesh.faces {

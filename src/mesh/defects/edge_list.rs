@@ -49,9 +49,9 @@ impl ListedEdges {
 
 /// The records against the uses, and the uses against the records.
 ///
-/// The reference between edges and faces must go both ways (ME-114).
-#[doc(alias = "ME-106")]
-#[doc(alias = "ME-114")]
+/// The reference between edges and faces must go both ways (ME-59).
+#[doc(alias = "ME-51")]
+#[doc(alias = "ME-59")]
 pub fn records(listed: &ListedEdges, uses: &Uses, defects: &mut Defects) {
     let mut times: BTreeMap<EdgeKey, usize> = BTreeMap::new();
     for (i, ends) in listed.edges.iter().enumerate() {

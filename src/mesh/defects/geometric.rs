@@ -11,7 +11,7 @@ use crate::number::Rational;
 use std::collections::BTreeMap;
 
 /// Vertices at one position, and edges between them.
-#[doc(alias = "ME-113")]
+#[doc(alias = "ME-58")]
 pub fn positions(mesh: &VertexList, uses: &Uses, defects: &mut Defects) {
     let mut at: BTreeMap<&Point, Vec<u32>> = BTreeMap::new();
     for (v, point) in (0..).zip(&mesh.vertices) {
@@ -29,7 +29,7 @@ pub fn positions(mesh: &VertexList, uses: &Uses, defects: &mut Defects) {
 }
 
 /// Each face by its shape.
-#[doc(alias = "ME-110")]
+#[doc(alias = "ME-55")]
 pub fn faces(mesh: &VertexList, defects: &mut Defects) {
     for (i, face) in mesh.faces.iter().enumerate() {
         let mut add = |category| defects.add(category, Element::Face(i));

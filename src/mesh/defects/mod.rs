@@ -213,10 +213,10 @@ pub struct Report {
 
 /// Every defect of a mesh, and its numbers; with a list of edges, also the defects of that list.
 ///
-/// No category tells whether two faces cut each other, or whether a hole lies inside its face (ME-129).
-#[doc(alias = "ME-104")]
-#[doc(alias = "ME-105")]
-#[doc(alias = "ME-129")]
+/// No category tells whether two faces cut each other, or whether a hole lies inside its face (ME-74).
+#[doc(alias = "ME-49")]
+#[doc(alias = "ME-50")]
+#[doc(alias = "ME-74")]
 pub fn check(mesh: &VertexList, listed: Option<&ListedEdges>) -> Report {
     let mut defects = Defects::default();
     combinatorial::out_of_range(mesh, &mut defects);

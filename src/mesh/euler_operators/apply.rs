@@ -16,7 +16,7 @@ impl Boundary {
     ///
     /// # Errors
     /// Iff a precondition is not met; the boundary is as it was.
-    #[doc(alias = "ME-404")]
+    #[doc(alias = "ME-109")]
     pub fn apply(&mut self, operator: &Operator) -> Result<Operator, Refused> {
         let inverse = match operator {
             Operator::Mvfs { shell, face, outer, vertex } => self.mvfs(*shell, *face, *outer, *vertex),

@@ -236,7 +236,7 @@ impl Boundary {
     }
 
     /// Everything that is wrong with it, sorted; empty iff it is sound.
-    #[doc(alias = "ME-411")]
+    #[doc(alias = "ME-116")]
     pub fn defects(&self) -> Vec<Defect> {
         let mut defects = self.missing();
         if !defects.is_empty() {

@@ -27,9 +27,9 @@ pub fn replay(operators: &[Operator]) -> Result<Boundary, RefusedStep> {
     Ok(boundary)
 }
 
-/// Operators that build a boundary from nothing, to the names (ME-408): C mvfs; G times mef, kfmrh and mekr, for the
+/// Operators that build a boundary from nothing, to the names (ME-113): C mvfs; G times mef, kfmrh and mekr, for the
 /// handles; V − C mev; F − C mef; and H kemr, for the rings. These are C + G + E + 2H steps.
-#[doc(alias = "ME-408")]
+#[doc(alias = "ME-113")]
 pub fn construction(boundary: &Boundary) -> Vec<Operator> {
     let mut taken_apart = TakenApart { left: boundary.clone(), undone_by: Vec::new() };
     taken_apart.join_rings();

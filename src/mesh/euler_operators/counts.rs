@@ -32,14 +32,14 @@ pub const BASIS: [Counts; 5] = [
 
 impl Counts {
     /// NE = V − E + F − H, the Euler number: χ. The faces need to be discs for V − E + F to be it.
-    #[doc(alias = "ME-410")]
+    #[doc(alias = "ME-115")]
     pub fn euler_number(&self) -> i128 {
         let [v, e, f, h, ..] = self.wide();
         v - e + f - h
     }
 
     /// V − E + F − H − 2(C − G), which is 0 for every boundary and every operator.
-    #[doc(alias = "ME-402")]
+    #[doc(alias = "ME-107")]
     pub fn balance(&self) -> i128 {
         let [.., c, g] = self.wide();
         self.euler_number() - 2 * (c - g)
@@ -48,7 +48,7 @@ impl Counts {
     /// How often mvfs, mev, mef, kemr and kfmrh add up to these numbers, a negative number counting inverses. It is
     /// (C, V − C, F − C + G, H − G, G), the only solution; `None` iff the balance is not 0. So the five are a basis of the
     /// integer solutions of V − E + F − H = 2(C − G).
-    #[doc(alias = "ME-403")]
+    #[doc(alias = "ME-108")]
     pub fn in_basis(&self) -> Option<[i128; 5]> {
         let [v, _, f, h, c, g] = self.wide();
         (self.balance() == 0).then_some([c, v - c, f - c + g, h - g, g])

@@ -68,7 +68,7 @@ impl Boundary {
     ///
     /// # Errors
     /// Iff a face has no loops, or a half-edge stands twice, or without its mate.
-    #[doc(alias = "ME-409")]
+    #[doc(alias = "ME-114")]
     pub fn from_loops(faces: &[Vec<Vec<HalfEdge>>]) -> Result<Boundary, NotPaired> {
         let mut boundary = Boundary::new();
         for (i, loops) in (0..).zip(faces) {

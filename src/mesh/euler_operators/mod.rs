@@ -1,4 +1,4 @@
-//! Euler operators: the steps in which a boundary representation is made of nothing and changed (ME-401 … ME-412).
+//! Euler operators: the steps in which a boundary representation is made of nothing and changed (ME-106 … ME-117).
 //!
 //! A [`Boundary`] has shells, faces, loops, half-edges and vertices. It is purely combinatorial: positions belong to the
 //! names of its vertices and are kept by whoever has them. A face is a sphere with as many holes as it has loops, so a
@@ -168,8 +168,8 @@ pub enum Scope {
 
 impl Operator {
     /// What it adds to V, E, F, H, C and G.
-    #[doc(alias = "ME-401")]
-    #[doc(alias = "ME-412")]
+    #[doc(alias = "ME-106")]
+    #[doc(alias = "ME-117")]
     #[rustfmt::skip]
     pub fn change(&self) -> Counts {
         let counts = |[v, e, f, h, c, g]: [i64; 6]| Counts { v, e, f, h, c, g };
@@ -189,11 +189,11 @@ impl Operator {
         })
     }
 
-    /// Whether it changes the surface: local operators are mev, mef, kemr and their inverses (ME-405), which make no torus
-    /// of a sphere (ME-407); of the global ones, kfmrh and mfkrh change G by one and the others C (ME-406).
-    #[doc(alias = "ME-405")]
-    #[doc(alias = "ME-407")]
-    #[doc(alias = "ME-406")]
+    /// Whether it changes the surface: local operators are mev, mef, kemr and their inverses (ME-110), which make no torus
+    /// of a sphere (ME-112); of the global ones, kfmrh and mfkrh change G by one and the others C (ME-111).
+    #[doc(alias = "ME-110")]
+    #[doc(alias = "ME-112")]
+    #[doc(alias = "ME-111")]
     pub fn scope(&self) -> Scope {
         match self.change() {
             Counts { c: 0, g: 0, .. } => Scope::Local,

@@ -19,7 +19,7 @@ fn at_height_1(polygon: &[[i64; 2]]) -> Vec<[i64; 3]> {
 }
 
 /// The text's square, hexagon and octagon: V = E = 4, 6, 8, F = 2. Its figures give no coordinates.
-#[doc(alias = "ME-302")]
+#[doc(alias = "ME-76")]
 pub fn laminae() -> [VertexList; 3] {
     [
         lamina(&[[0, 0], [2, 0], [2, 2], [0, 2]]),
@@ -29,19 +29,19 @@ pub fn laminae() -> [VertexList; 3] {
 }
 
 /// The text's triangle: Vt1 = (5, 10, 1), Vt2 = (10, 0, 1), Vt3 = (0, 0, 1), faces Vt1 Vt2 Vt3 and Vt1 Vt3 Vt2.
-#[doc(alias = "ME-323")]
+#[doc(alias = "ME-97")]
 pub fn triangle() -> VertexList {
     mesh(&[[5, 10, 1], [10, 0, 1], [0, 0, 1]], &[[0, 1, 2], [0, 2, 1]])
 }
 
 /// The text's segment: a quadrilateral ever so thin, 1/1000 here, with its other side.
-#[doc(alias = "ME-325")]
+#[doc(alias = "ME-99")]
 pub fn segment() -> VertexList {
     lamina(&[[0, 0], [1000, 0], [1000, 1], [0, 1]])
 }
 
 /// The text's hollow triangle, as printed: Vt1 … Vt6, and faces from the edges At1 … At6 in the order of its lists.
-#[doc(alias = "ME-324")]
+#[doc(alias = "ME-98")]
 pub fn hollow_triangle() -> VertexList {
     let tenths = |x, y| Vector([Rational::from((x, 10)), Rational::from((y, 10)), Rational::from(1)]);
     let vertices: [Point; 6] =
@@ -56,7 +56,7 @@ pub fn hollow_triangle() -> VertexList {
 }
 
 /// The text's house, V1 … V6 numbered from 0: faces F1 … F4 as printed. The edge from V3 to V4 is in all four.
-#[doc(alias = "ME-326")]
+#[doc(alias = "ME-100")]
 pub fn house() -> VertexList {
     mesh(
         &at_height_1(&[[2, 1], [5, 1], [5, 3], [2, 3], [3, 4], [4, 4]]),
@@ -77,7 +77,7 @@ pub fn house_in_two() -> Gluing {
 }
 
 /// The house of eight triangles: the edges from V3 to V4 are two, and the front's inner edges are not the back's.
-#[doc(alias = "ME-330")]
+#[doc(alias = "ME-104")]
 pub fn house_of_triangles() -> Gluing {
     // At the front i = V1V3, j = V4V6, at the back k = V1V3, l = V4V6.
     Gluing::from_words(&["abI", "icG", "CFJ", "jED", "AkB", "gHK", "hlf", "deL"]).expect("twelve edges of two sides")

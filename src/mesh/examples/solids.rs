@@ -15,13 +15,13 @@ pub fn prism(polygon: &[[i64; 2]], height: i64) -> VertexList {
 }
 
 /// A hexagonal prism: V = 12, E = 18, F = 8.
-#[doc(alias = "ME-304")]
+#[doc(alias = "ME-78")]
 pub fn hexagonal_prism() -> VertexList {
     prism(&[[2, 0], [4, 1], [4, 3], [2, 4], [0, 3], [0, 1]], 3)
 }
 
 /// The cube [0, 2]³, each face divided in four by the lines through its centre: V = 26, E = 48, F = 24.
-#[doc(alias = "ME-305")]
+#[doc(alias = "ME-79")]
 pub fn divided_cube() -> VertexList {
     cubes(&grid([2; 3]).collect())
 }
@@ -108,7 +108,7 @@ fn pit(x: i64, y: i64, height: i64) -> Cut {
 
 /// The solid of the text's figure 3.5: a block with a through hole and a blind hole in another face. V = 24, E = 36,
 /// F = 15, three faces have a hole.
-#[doc(alias = "ME-322")]
+#[doc(alias = "ME-96")]
 pub fn pierced_block() -> VertexList {
     let blind = Cut { lo: [1, 0, 1], hi: [2, 1, 2], open: vec![BoxSide::Front] };
     block([5, 5, 3], &[through(3, 3, 3), blind])
@@ -120,7 +120,7 @@ pub fn pierced_block_with_two_in_one_face() -> VertexList {
 }
 
 /// A block with g through holes side by side: G = g, H = 2g.
-#[doc(alias = "ME-309")]
+#[doc(alias = "ME-83")]
 pub fn block_with_through_holes(g: i64) -> VertexList {
     block([2 * g + 1, 3, 2], &(0..g).map(|i| through(2 * i + 1, 1, 2)).collect::<Vec<_>>())
 }
@@ -141,7 +141,7 @@ pub fn block_with_cavity() -> VertexList {
 }
 
 /// The cube with a square drawn on its top that no edge leads to: V = 12, E = 16, F = 7, H = 1.
-#[doc(alias = "ME-306")]
+#[doc(alias = "ME-80")]
 pub fn cube_with_loop() -> VertexList {
     let mut mesh = block([3, 3, 3], &[]);
     mesh.vertices.extend([[1, 1, 3], [2, 1, 3], [2, 2, 3], [1, 2, 3]].map(super::point));
@@ -151,7 +151,7 @@ pub fn cube_with_loop() -> VertexList {
 }
 
 /// A frame with corners mitred: a torus of sixteen quadrilaterals, V = 16, E = 32.
-#[doc(alias = "ME-308")]
+#[doc(alias = "ME-82")]
 pub fn frame() -> VertexList {
     let mut mesh = block([3, 3, 1], &[through(1, 1, 1)]);
     let [bottom, top]: [Face; 2] = [mesh.faces.remove(0), mesh.faces.remove(0)];
@@ -166,7 +166,7 @@ pub fn frame() -> VertexList {
 
 /// A solid of the unit cubes [x, x+1] × [y, y+1] × [z, z+1], by the squares between them and the rest, counterclockwise
 /// from the rest. Vertices and edges at one place are one, so that more than two squares may have an edge.
-#[doc(alias = "ME-320")]
+#[doc(alias = "ME-94")]
 pub fn cubes(cells: &BTreeSet<[i64; 3]>) -> VertexList {
     let steps = [[0, 0, -1], [0, 0, 1], [0, -1, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0]];
     let mut numbers: BTreeMap<[i64; 3], u32> = BTreeMap::new();
@@ -189,20 +189,20 @@ pub fn cubes(cells: &BTreeSet<[i64; 3]>) -> VertexList {
 }
 
 /// A cube of 27 cells with two square tunnels through it that meet at the centre: two straight holes, and G = 3.
-#[doc(alias = "ME-311")]
+#[doc(alias = "ME-85")]
 pub fn crossing_tunnels() -> VertexList {
     cubes(&grid([3; 3]).filter(|[x, y, z]| *z != 1 || (*x != 1 && *y != 1)).collect())
 }
 
 /// Two cubes with one edge in common, which is in four squares.
-#[doc(alias = "ME-321")]
+#[doc(alias = "ME-95")]
 pub fn cubes_on_an_edge() -> VertexList {
     cubes(&BTreeSet::from([[0, 0, 0], [1, 1, 0]]))
 }
 
 /// Two solids of six triangles each that touch at two points: V = 8, E = 18, F = 12, each edge is in two triangles, each vertex has
 /// three edges or more, all is connected, V − E + F = 2; and it is no surface.
-#[doc(alias = "ME-319")]
+#[doc(alias = "ME-93")]
 pub fn solids_at_two_points() -> VertexList {
     let vertices = [[0, 0, 0], [4, 0, 0], [2, 3, 0], [2, 5, 1], [2, 5, -1], [2, -3, 0], [2, -5, 1], [2, -5, -1]];
     let [p, q] = [0, 1];

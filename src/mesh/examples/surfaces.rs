@@ -48,8 +48,8 @@ pub fn projective_plane() -> SimplicialComplex {
 }
 
 /// A Klein bottle of 8 vertices, 24 edges and 16 triangles.
-#[doc(alias = "ME-312")]
-#[doc(alias = "ME-366")]
+#[doc(alias = "ME-86")]
+#[doc(alias = "ME-141")]
 pub fn klein_bottle() -> SimplicialComplex {
     complex([
         [0, 1, 3],
@@ -72,7 +72,7 @@ pub fn klein_bottle() -> SimplicialComplex {
 }
 
 /// The Möbius band of 5 vertices, 10 edges and 5 triangles; its border runs 0 2 4 1 3.
-#[doc(alias = "ME-365")]
+#[doc(alias = "ME-140")]
 pub fn moebius_band() -> SimplicialComplex {
     complex((0..5).map(|i| [i, (i + 1) % 5, (i + 2) % 5]))
 }
@@ -83,7 +83,7 @@ pub fn annulus() -> SimplicialComplex {
 }
 
 /// The sphere with two handles: two tori of 7 vertices summed, 11 vertices.
-#[doc(alias = "ME-313")]
+#[doc(alias = "ME-87")]
 pub fn double_torus() -> SimplicialComplex {
     let torus = SimplicialComplex::torus();
     connected_sum(&torus, [0, 1, 3], &torus, [0, 1, 3]).expect("the torus has that triangle")
@@ -146,7 +146,7 @@ pub fn csaszar_points() -> [Vector<Rational, 3>; 7] {
 }
 
 /// A sphere as one point and one disc: a spherical face has no edge, and without a vertex it is no disc.
-#[doc(alias = "ME-315")]
+#[doc(alias = "ME-89")]
 pub fn sphere_of_one_face() -> CellComplex {
     let face = Cell::Disc(Walk::Constant(CellId(0)));
     CellComplex::new(vec![Cell::Vertex, face]).expect("the disc's border is the point")

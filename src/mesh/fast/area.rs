@@ -18,10 +18,10 @@ pub struct Area {
 /// The least number of bits of a root: those that a machine word has.
 pub const WORD_BITS: u32 = 62;
 
-/// Σ ½|Σ vᵢ × vᵢ₊₁| over the faces, each root with at least `bits` bits, so that hi − lo ≤ 2^(1−bits)·area. ME-608.
+/// Σ ½|Σ vᵢ × vᵢ₊₁| over the faces, each root with at least `bits` bits, so that hi − lo ≤ 2^(1−bits)·area. ME-152.
 ///
 /// That is a face's area where it is planar and does not cross itself; of any other it is the area of its largest projection.
-#[doc(alias = "ME-608")]
+#[doc(alias = "ME-152")]
 pub fn area(mesh: &Polygons, bits: u32) -> Area {
     let (mut lo, mut slack) = (DyadicSum::default(), DyadicSum::default());
     let mut points = Vec::new();

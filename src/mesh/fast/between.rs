@@ -105,13 +105,13 @@ impl Bounds {
         (0..3).max_by(|&i, &j| length(i).total_cmp(&length(j))).expect("three axes")
     }
 
-    /// Whether a segment may have a point in the box: false only where a plane separates them. ME-605.
+    /// Whether a segment may have a point in the box: false only where a plane separates them. ME-149.
     ///
     /// The planes tried are those along the faces of the box, by comparison alone, and those that contain the segment and
     /// are parallel to an axis: with d = b − a, the box is on one side of the latter if
     /// |dⱼ(mₖ − aₖ) − dₖ(mⱼ − aⱼ)| > |dⱼ|hₖ + |dₖ|hⱼ for its midpoint m and its half sides h; rounding is outweighed by 16ε
     /// times the sum of the products of all magnitudes.
-    #[doc(alias = "ME-605")]
+    #[doc(alias = "ME-149")]
     fn may_meet(&self, [a, b]: [&Point; 2]) -> bool {
         let apart = |i: usize| a[i].max(b[i]) < self.low[i] || a[i].min(b[i]) > self.high[i];
         if (0..3).any(apart) {

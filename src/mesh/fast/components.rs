@@ -6,11 +6,11 @@ use super::report::Component;
 use crate::mesh::triangles::EdgeKey;
 use crate::partition::Partition;
 
-/// The components, those of most faces first. Vertices are joined by faces; an empty face belongs to none. ME-609.
+/// The components, those of most faces first. Vertices are joined by faces; an empty face belongs to none. ME-153.
 ///
 /// χ = V − E + F = 2 − 2·genus − loops, for an orientable surface whose boundary has so many loops: where every edge has at
 /// most two uses, every vertex one fan, no loop is broken, and its faces are wound consistently.
-#[doc(alias = "ME-609")]
+#[doc(alias = "ME-153")]
 pub(super) fn components(
     mesh: &Polygons,
     used: &[bool],

@@ -11,8 +11,8 @@ pub fn first_at_position(points: &[Point]) -> Vec<u32> {
     first_equal(points.len(), hash, |i, j| points[i] == points[j])
 }
 
-/// For each face the first one whose loop is the same cycle, in either direction. ME-606.
-#[doc(alias = "ME-606")]
+/// For each face the first one whose loop is the same cycle, in either direction. ME-150.
+#[doc(alias = "ME-150")]
 pub fn first_of_cycle(mesh: &Polygons) -> Vec<u32> {
     // Sums do not depend on where the cycle begins, nor on its direction.
     let hash = |f: usize| {

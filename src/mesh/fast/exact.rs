@@ -7,17 +7,17 @@ use crate::number::{Enclosure, Integer, Ring, Sign, Word};
 /// 2⁻⁵³, half a unit in the last place of 1.
 const EPSILON: f64 = f64::EPSILON / 2.0;
 
-/// Whether (b − a) × (c − a) = 0: the three points lie on one line. ME-601.
+/// Whether (b − a) × (c − a) = 0: the three points lie on one line. ME-145.
 ///
 /// In each coordinate, with rounded differences u, v and p = u₁v₂, q = u₂v₁, the rounded p − q differs from the exact
 /// value by at most 4ε(|p| + |q|) + 2⁻¹⁰²², ε = 2⁻⁵³; beyond that it is not 0.
-#[doc(alias = "ME-601")]
+#[doc(alias = "ME-145")]
 pub fn collinear(a: &Point, b: &Point, c: &Point) -> bool {
     !(0..3).any(|axis| orientation_filter(axis, a, b, c).is_some())
         && exactly([a, b, c], 61, |points| is_zero(&normal(&points)), |points| is_zero(&normal(&points)))
 }
 
-/// The sign of the coordinate `axis` of (b − a) × (c − a): the turn of a, b, c as seen along that axis. ME-601.
+/// The sign of the coordinate `axis` of (b − a) × (c − a): the turn of a, b, c as seen along that axis. ME-145.
 pub fn orientation(axis: usize, a: &Point, b: &Point, c: &Point) -> Sign {
     orientation_filter(axis, a, b, c).unwrap_or_else(|| {
         exactly([a, b, c], 61, |points| sign(&normal(&points).0[axis]), |points| sign(&normal(&points).0[axis]))
@@ -35,11 +35,11 @@ fn orientation_filter(axis: usize, a: &Point, b: &Point, c: &Point) -> Option<Si
     beyond(p - q, 4.0 * EPSILON * (p.abs() + q.abs()) + f64::MIN_POSITIVE)
 }
 
-/// The sign of |b − a, c − a, d − a|: on which side of the plane abc is d. ME-602.
+/// The sign of |b − a, c − a, d − a|: on which side of the plane abc is d. ME-146.
 ///
 /// The filter's bound is 8ε times the permanent, as in Shewchuk's static bound (7 + 56ε)ε, + 2⁻⁸⁰⁰ for underflows, where all
 /// differences are below 2²⁰⁰.
-#[doc(alias = "ME-602")]
+#[doc(alias = "ME-146")]
 pub fn side_of_plane(a: &Point, b: &Point, c: &Point, d: &Point) -> Sign {
     side_filter(a, b, c, d)
         .unwrap_or_else(|| exactly([a, b, c, d], 40, |points| sign(&volume(&points)), |points| sign(&volume(&points))))
@@ -71,8 +71,8 @@ fn beyond(value: f64, bound: f64) -> Option<Sign> {
 }
 
 /// Whether v lies strictly between a and b on their segment: it is within the closed box of a and b, on their line,
-/// and neither of them. ME-603.
-#[doc(alias = "ME-603")]
+/// and neither of them. ME-147.
+#[doc(alias = "ME-147")]
 pub fn strictly_between(v: &Point, a: &Point, b: &Point) -> bool {
     (0..3).all(|i| a[i].min(b[i]) <= v[i] && v[i] <= a[i].max(b[i])) && v != a && v != b && collinear(a, b, v)
 }
@@ -131,8 +131,8 @@ pub struct Dyadic {
 }
 
 impl Dyadic {
-    /// The exact value of a finite binary64. ME-604.
-    #[doc(alias = "ME-604")]
+    /// The exact value of a finite binary64. ME-148.
+    #[doc(alias = "ME-148")]
     pub fn of(x: f64) -> Dyadic {
         let bits = x.to_bits();
         let field = (bits >> 52 & 0x7FF) as i32;

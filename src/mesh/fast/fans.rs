@@ -44,11 +44,11 @@ impl Fans {
         }
     }
 
-    /// The vertices whose link graph has more than one component. ME-607.
+    /// The vertices whose link graph has more than one component. ME-151.
     ///
     /// The neighbours of a vertex in one component of its link are those of one set of corners: the number of
     /// components is the number of corners less the number of joins that have changed anything.
-    #[doc(alias = "ME-607")]
+    #[doc(alias = "ME-151")]
     pub fn nonmanifold(&self) -> impl Iterator<Item = u32> {
         (0..).zip(&self.count).filter(|&(_, &count)| count > 1).map(|(vertex, _)| vertex)
     }

@@ -3,7 +3,7 @@
 use super::exact::Dyadic;
 use crate::number::{Integer, Rational};
 
-/// Σ mᵢ·2^eᵢ, exactly. ME-604.
+/// Σ mᵢ·2^eᵢ, exactly. ME-148.
 ///
 /// Mantissas of one exponent are added in one word of 128 bits; one that would overflow is first carried into an integer of any size.
 #[derive(Clone, Debug, Default)]

@@ -7,7 +7,7 @@ use super::sum::DyadicSum;
 use crate::number::Rational;
 
 /// Σ |p₀ pᵢ pᵢ₊₁| / 6 over the triangles of the fan of each face from its first vertex: the signed volume that a closed,
-/// consistently wound mesh encloses, positive where its faces run counterclockwise from outside. Exact. ME-604.
+/// consistently wound mesh encloses, positive where its faces run counterclockwise from outside. Exact. ME-148.
 pub fn volume(mesh: &Polygons) -> Rational {
     let mut sum = DyadicSum::default();
     for face in mesh.loops() {

@@ -50,7 +50,7 @@ fn turned(face: &Face) -> Face {
     Face { outer: turned(&face.outer), holes }
 }
 
-mod me_408 {
+mod me_113 {
     use super::*;
 
     #[test]

@@ -18,7 +18,7 @@ fn after(mut b: Boundary, operators: &[Operator]) -> Boundary {
     b
 }
 
-mod me_403 {
+mod me_108 {
     use super::*;
 
     const MOST: i64 = 2;
@@ -101,7 +101,7 @@ mod me_403 {
     }
 }
 
-mod me_406 {
+mod me_111 {
     use super::*;
 
     #[test]
@@ -161,7 +161,7 @@ mod me_406 {
     }
 }
 
-mod me_410 {
+mod me_115 {
     use super::*;
 
     /// A triangle in a face of the cube: an edge from a corner of the face, two more, one that closes them to a new face,
@@ -201,7 +201,7 @@ mod me_410 {
     }
 }
 
-mod me_411 {
+mod me_116 {
     use super::*;
 
     /// What a boundary is, is the same wherever its vertices are: with all of them at one point it is sound.
@@ -225,7 +225,7 @@ mod me_411 {
     }
 }
 
-mod me_412 {
+mod me_117 {
     use super::*;
 
     #[test]

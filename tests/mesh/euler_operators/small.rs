@@ -28,7 +28,7 @@ pub fn by_homology(b: &Boundary) -> Counts {
     Counts { c: b0, g: b1 / 2, ..words.counts() }
 }
 
-mod me_401 {
+mod me_106 {
     use super::*;
 
     #[test]
@@ -48,7 +48,7 @@ mod me_401 {
     }
 }
 
-mod me_402 {
+mod me_107 {
     use super::*;
 
     /// One part of space with two shells.
@@ -70,7 +70,7 @@ mod me_402 {
     }
 }
 
-mod me_404 {
+mod me_109 {
     use super::*;
 
     /// Each operator on each small boundary, against surgery on words, and back; in the long form also on each connected one
@@ -103,7 +103,7 @@ mod me_404 {
     }
 }
 
-mod me_405 {
+mod me_110 {
     use super::*;
 
     #[test]
@@ -129,7 +129,7 @@ mod me_405 {
     }
 }
 
-mod me_408 {
+mod me_113 {
     use super::*;
 
     #[test]
@@ -174,7 +174,7 @@ mod me_408 {
     }
 }
 
-mod me_409 {
+mod me_114 {
     use super::*;
 
     #[test]
@@ -225,7 +225,7 @@ mod me_409 {
     }
 }
 
-mod me_407 {
+mod me_112 {
     use super::*;
 
     /// From the sphere and from the torus, by local operators alone: what is reached is each surface's own.
