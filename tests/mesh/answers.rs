@@ -111,7 +111,10 @@ fn an_ill_posed_question_names_its_field() {
     }
     refused(json!({"holes": []}), "holes: expected an object, found an array");
     refused(json!({"edges": [[0, 1], [0]]}), "edges[1]: expected 2 items, found 1");
-    refused(json!({"edges": [[0, -1]]}), "edges[0][1]: expected a vertex number, found -1");
+    refused(
+        json!({"edges": [[0, -1]]}),
+        "edges[0][1]: expected the number of a vertex, an integer from 0 on, found -1",
+    );
     refused(json!({"edge_faces": [[0]]}), "edges: missing");
     refused(json!({"edges": [[0, 1]], "edge_faces": []}), "edge_faces: expected 1 items, found 0");
     refused(json!({"edges": [[0, 1]], "edge_faces": [0]}), "edge_faces[0]: expected an array, found a number");

@@ -33,12 +33,12 @@ impl Fault {
 
     /// An error where there is an answer, or another error than the question is.
     pub fn refused(expected: &str, found: &str) -> Fault {
-        Fault::new("refused", "", "kind of answer", expected, found)
+        Fault::new("refused", "ME-74", "kind of answer", expected, found)
     }
 
     /// An answer where the question has none.
     pub fn answered(kind: &str, out: &Value) -> Fault {
-        Fault::new("answered", "", "kind of answer", &format!("an error: {kind}"), &out.to_string())
+        Fault::new("answered", "ME-74", "kind of answer", &format!("an error: {kind}"), &out.to_string())
     }
 }
 
@@ -60,7 +60,7 @@ pub fn compare(operation: &str, truth: &Value, found: &Value, tolerance: Toleran
         other => unreachable!("no operation {other} of meshes"),
     }
     if comparison.said == 0 {
-        comparison.faults = vec![Fault::new("says-nothing", "", "answer", &truth.to_string(), &found.to_string())];
+        comparison.faults = vec![Fault::new("says-nothing", "ME-74", "answer", &truth.to_string(), &found.to_string())];
         comparison.left_out.clear();
     }
     (comparison.faults, comparison.left_out)
@@ -258,6 +258,32 @@ fn same_set(truth: &Value, found: &Value) -> bool {
 }
 
 /// The spec entry of a category, a count or a field.
-fn formula(_name: &str) -> &'static str {
-    ""
+fn formula(name: &str) -> &'static str {
+    match name {
+        "face_lt3_vertices" => "ME-48",
+        "zero_length_edge" | "degenerate_edge_same_index" => "ME-58",
+        "boundary_edge" | "closed" => "ME-54",
+        "edge_used_gt2" => "ME-52",
+        "edge_odd_use" => "ME-47",
+        "edge_twice_in_same_face" => "ME-56",
+        "inconsistent_winding_edge" => "ME-38",
+        "isolated_vertex" => "ME-57",
+        "duplicate_vertex_position" => "ME-9",
+        "nonplanar_face" => "ME-55",
+        "zero_area_face" => "ME-64",
+        "zero_signed_area_face" | "normal" => "ME-67",
+        "vertex_lt2_edges" => "ME-53",
+        "non_orientable" | "orientable" => "ME-126",
+        "edge_unreferenced" => "ME-51",
+        "edge_missing_from_list" => "ME-18",
+        "duplicate_edge_record" => "ME-23",
+        "edge_face_not_reciprocal" => "ME-59",
+        "V" | "E" | "F" | "H" | "C" | "G" | "chi" => "ME-90",
+        "offset" => "ME-72",
+        "distance" => "ME-70",
+        "deficits" | "total_over_pi" => "ME-118",
+        "volume" => "ME-148",
+        // What the printed criteria leave out.
+        _ => "ME-74",
+    }
 }
