@@ -7,9 +7,9 @@ use super::vertex_list::{Point, VertexList};
 use crate::linear::Vector;
 use crate::number::Rational;
 
-/// A point of the plane z = 0 by tenths.
+/// A point by tenths; its third coordinate is 1, as in the tables.
 fn tenths([x, y]: [i64; 2]) -> Point {
-    Vector([Rational::from((x, 10)), Rational::from((y, 10)), Rational::new()])
+    Vector([Rational::from((x, 10)), Rational::from((y, 10)), Rational::from(1)])
 }
 
 /// A side by the number of its edge, from 1 as printed; negative where the loop runs from the edge's second vertex to
@@ -63,7 +63,7 @@ pub fn hollow_triangle_rows() -> [[u32; 6]; 2] {
 /// with two faces and four edges (ME-35). `None` iff it has no width.
 #[doc(alias = "ME-35")]
 pub fn segment(half_width: &Rational) -> Option<VertexList> {
-    let at = |x: i64, y: Rational| Vector([Rational::from(x), y, Rational::new()]);
+    let at = |x: i64, y: Rational| Vector([Rational::from(x), y, Rational::from(1)]);
     let (below, above) = (Rational::from(-half_width), half_width.clone());
     let vertices = vec![at(0, below.clone()), at(1, below), at(1, above.clone()), at(0, above)];
     let faces = vec![Face::from([0, 1, 2, 3]), Face::from([1, 0, 3, 2])];

@@ -1,10 +1,9 @@
 //! The flat objects of the text: two faces, or more, back to back, so that they can be taken in hand.
 
 use super::mesh;
-use crate::linear::Vector;
-use crate::mesh::face::Face;
 use crate::mesh::gluing::Gluing;
-use crate::mesh::vertex_list::{Point, VertexList};
+use crate::mesh::printed;
+use crate::mesh::vertex_list::VertexList;
 use crate::number::Rational;
 
 /// A polygon of the plane z = 1, counterclockwise, with its other side.
@@ -28,40 +27,28 @@ pub fn laminae() -> [VertexList; 3] {
     ]
 }
 
-/// The text's triangle: Vt1 = (5, 10, 1), Vt2 = (10, 0, 1), Vt3 = (0, 0, 1), faces Vt1 Vt2 Vt3 and Vt1 Vt3 Vt2.
+/// The text's triangle, two faces.
 #[doc(alias = "ME-97")]
 pub fn triangle() -> VertexList {
-    mesh(&[[5, 10, 1], [10, 0, 1], [0, 0, 1]], &[[0, 1, 2], [0, 2, 1]])
+    printed::triangle()
 }
 
 /// The text's segment: a quadrilateral ever so thin, 1/1000 here, with its other side.
 #[doc(alias = "ME-99")]
 pub fn segment() -> VertexList {
-    lamina(&[[0, 0], [1000, 0], [1000, 1], [0, 1]])
+    printed::segment(&Rational::from((1, 2000))).expect("it has a width")
 }
 
-/// The text's hollow triangle, as printed: Vt1 … Vt6, and faces from the edges At1 … At6 in the order of its lists.
+/// The text's hollow triangle: two faces with a hole each.
 #[doc(alias = "ME-98")]
 pub fn hollow_triangle() -> VertexList {
-    let tenths = |x, y| Vector([Rational::from((x, 10)), Rational::from((y, 10)), Rational::from(1)]);
-    let vertices: [Point; 6] =
-        [tenths(50, 100), tenths(100, 0), tenths(0, 0), tenths(1, 1), tenths(99, 1), tenths(50, 99)];
-    let faces = vec![
-        // Ft1 = At1 At2 At3, At4 At6 At5.
-        Face { outer: vec![0, 1, 2], holes: vec![vec![3, 4, 5]] },
-        // Ft2 = At1 At3 At2, At4 At5 At6.
-        Face { outer: vec![1, 0, 2], holes: vec![vec![4, 3, 5]] },
-    ];
-    VertexList { vertices: vertices.to_vec(), faces }
+    VertexList::from(&printed::hollow_triangle())
 }
 
-/// The text's house, V1 … V6 numbered from 0: faces F1 … F4 as printed. The edge from V3 to V4 is in all four.
+/// The text's house by its faces: the edge from V3 to V4 is in all four.
 #[doc(alias = "ME-100")]
 pub fn house() -> VertexList {
-    mesh(
-        &at_height_1(&[[2, 1], [5, 1], [5, 3], [2, 3], [3, 4], [4, 4]]),
-        &[[0, 1, 2, 3], [3, 2, 5, 4], [1, 0, 3, 2], [2, 3, 4, 5]],
-    )
+    printed::house()
 }
 
 /// The house with its edges A1 … A8 as printed, named a … h: c = A3 and h = A8 both join V3 and V4. F1 and F2, its front,
