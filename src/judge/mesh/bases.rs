@@ -1,7 +1,10 @@
 //! The meshes that questions begin with.
 
 use crate::linear::Vector;
-use crate::mesh::examples::{cube, mesh, point, tetrahedron};
+use crate::mesh::examples::solids::{
+    block_with_cavity, block_with_through_holes, divided_cube, frame, pierced_block, prism,
+};
+use crate::mesh::examples::{cube, mesh, point, surfaces, tetrahedron};
 use crate::mesh::face::Face;
 use crate::mesh::vertex_list::{Point, VertexList};
 use crate::number::Rational;
@@ -9,38 +12,34 @@ use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
 /// How many kinds of solids there are.
-pub const SOLIDS: usize = 9;
+pub const SOLIDS: usize = 12;
 
 /// A sound solid: closed, planar faces, counterclockwise from outside.
 pub fn solid(random: &mut ChaCha8Rng, kind: usize) -> VertexList {
     match kind % SOLIDS {
         0 => tetrahedron(),
         1 => cube(),
-        2 => prism(random.random_range(3..7)),
+        2 => prism(&parabola(random.random_range(3..7)), 2),
         3 => pyramid(random.random_range(4..7)),
         4 => octahedron(),
         5 => frame(),
-        6 => block_with_hole(),
+        6 => block_with_through_holes(1),
         7 => triangulated(&frame()),
+        8 => pierced_block(),
+        9 => block_with_cavity(),
+        10 => divided_cube(),
         _ => beside(&cube(), &tetrahedron()),
     }
 }
 
-/// Convex position of n points with integer coordinates, counterclockwise.
-fn polygon_at(n: u32, z: i64) -> Vec<[i64; 3]> {
-    // On the parabola y = x², closed from above.
-    (0..i64::from(n)).map(|x| [x, x * x, z]).collect()
-}
-
-fn prism(n: u32) -> VertexList {
-    let vertices = [polygon_at(n, 0), polygon_at(n, 2)].concat();
-    let mut faces: Vec<Vec<u32>> = vec![(0..n).rev().collect(), (n..2 * n).collect()];
-    faces.extend((0..n).map(|i| vec![i, (i + 1) % n, n + (i + 1) % n, n + i]));
-    mesh(&vertices, &faces)
+/// n points in convex position, counterclockwise: on y = x².
+fn parabola(n: i64) -> Vec<[i64; 2]> {
+    (0..n).map(|x| [x, x * x]).collect()
 }
 
 fn pyramid(n: u32) -> VertexList {
-    let vertices = [polygon_at(n, 0), vec![[1, 2, 3]]].concat();
+    let base = parabola(n.into()).into_iter().map(|[x, y]| [x, y, 0]);
+    let vertices: Vec<[i64; 3]> = base.chain([[1, 2, 3]]).collect();
     let mut faces: Vec<Vec<u32>> = vec![(0..n).rev().collect()];
     faces.extend((0..n).map(|i| vec![i, (i + 1) % n, n]));
     mesh(&vertices, &faces)
@@ -51,41 +50,13 @@ fn octahedron() -> VertexList {
     mesh(&vertices, &[[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
 }
 
-/// Four rings of four corners: outside below and above, inside above and below.
-fn rings() -> Vec<[i64; 3]> {
-    let square = |low: i64, high: i64, z: i64| [[low, low, z], [high, low, z], [high, high, z], [low, high, z]];
-    [square(0, 3, 0), square(0, 3, 1), square(1, 2, 1), square(1, 2, 0)].concat()
-}
-
-/// A square torus of 16 quadrangles.
-fn frame() -> VertexList {
-    let quads: Vec<[u32; 4]> = (0..4)
-        .flat_map(|ring: u32| {
-            let (low, high) = (4 * ring, 4 * ((ring + 1) % 4));
-            (0..4).map(move |i| [low + i, low + (i + 1) % 4, high + (i + 1) % 4, high + i])
-        })
-        .collect();
-    mesh(&rings(), &quads)
-}
-
-/// The same solid with one ring-shaped face above and one below.
-fn block_with_hole() -> VertexList {
-    let quads = [0, 2].into_iter().flat_map(|ring: u32| {
-        (0..4).map(move |i| [4 * ring + i, 4 * ring + (i + 1) % 4, 4 * ring + 4 + (i + 1) % 4, 4 * ring + 4 + i])
-    });
-    let mut block = mesh(&rings(), &quads.collect::<Vec<_>>());
-    block.faces.push(Face { outer: vec![4, 5, 6, 7], holes: vec![vec![11, 10, 9, 8]] });
-    block.faces.push(Face { outer: vec![3, 2, 1, 0], holes: vec![vec![12, 13, 14, 15]] });
-    block
-}
-
 /// The projective plane of 6 vertices and 10 triangles, its vertices where no four are in one plane.
 pub fn projective_plane() -> VertexList {
     // On the moment curve.
     let vertices: Vec<[i64; 3]> = (0..6).map(|t: i64| [t, t * t, t * t * t]).collect();
-    let faces =
-        [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5], [0, 5, 1], [1, 2, 4], [2, 3, 5], [3, 4, 1], [4, 5, 2], [5, 1, 3]];
-    mesh(&vertices, &faces)
+    let triangles: Vec<Vec<u32>> =
+        surfaces::projective_plane().of_dimension(2).map(|t| t.vertices().to_vec()).collect();
+    mesh(&vertices, &triangles)
 }
 
 /// The second mesh set beside the first, in the direction of x.
