@@ -6,6 +6,10 @@ use isoracle::isosurface::cell::{Tie, decisions, topology};
 use isoracle::isosurface::cube::Symmetry;
 use isoracle::isosurface::volume::{Level, Volume};
 use isoracle::isosurface::{fast, mesh, strategy, topology as whole};
+use isoracle::mesh::defects::{Category, check};
+use isoracle::mesh::face::Face;
+use isoracle::mesh::strategy as mesh_strategy;
+use isoracle::mesh::vertex_list::VertexList;
 use isoracle::number::Rational;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -57,6 +61,49 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn solids_are_sound_and_so_is_their_inside_out_but_for_that(solid in mesh_strategy::solid()) {
+        let report = check(&solid, None);
+        prop_assert!(report.defects.is_empty(), "{:?}", report.defects);
+        let counts = report.counts.unwrap();
+        prop_assert!(counts.manifold && counts.volume.unwrap() > 0);
+        let turned = VertexList { faces: solid.faces.iter().map(Face::reversed).collect(), ..solid };
+        let found: Vec<Category> = check(&turned, None).defects.iter().map(|(category, _)| category).collect();
+        prop_assert_eq!(found, [Category::InsideOut]);
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_heap_of_faces_does_not_depend_on_where_loops_begin(heap in mesh_strategy::heap(6)) {
+        let mut turned = heap.clone();
+        for l in turned.faces.iter_mut().flat_map(|face| std::iter::once(&mut face.outer).chain(&mut face.holes)) {
+            let by = usize::from(l.len() > 1);
+            l.rotate_left(by);
+        }
+        let of = |mesh: &VertexList| {
+            let report = check(mesh, None);
+            // The volume of faces that are not plane does depend on it.
+            let plane = !report.defects.has(Category::NonplanarFace);
+            let kept = |category: Category| plane || !matches!(category, Category::InsideOut | Category::ZeroVolume);
+            let found: Vec<_> = report.defects.iter().filter(|(c, _)| kept(*c)).map(|(c, e)| (c, e.clone())).collect();
+            (found, report.counts.map(|counts| (counts.chi, counts.genus, counts.orientable)))
+        };
+        prop_assert_eq!(of(&heap), of(&turned));
+    }
+}
+
+#[test]
+fn heaps_have_most_categories() {
+    let mut runner = TestRunner::deterministic();
+    let strategy = mesh_strategy::heap(6);
+    let mut found = std::collections::BTreeSet::new();
+    for _ in 0..2_000 {
+        let report = check(&strategy.new_tree(&mut runner).unwrap().current(), None);
+        found.extend(report.defects.iter().map(|(category, _)| category));
+    }
+    assert!(found.len() >= 20, "{found:?}");
+}
+
 #[test]
 fn the_strategy_of_near_ties_meets_ties_nearly() {
     let mut runner = TestRunner::deterministic();
@@ -71,6 +118,15 @@ fn the_strategy_of_near_ties_meets_ties_nearly() {
 }
 
 quickcheck::quickcheck! {
+    fn a_mesh_and_its_other_side_have_the_same_numbers(mesh: VertexList) -> bool {
+        let turned = VertexList { faces: mesh.faces.iter().map(Face::reversed).collect(), ..mesh.clone() };
+        let of = |mesh: &VertexList| {
+            let counts = check(mesh, None).counts.unwrap();
+            (counts.chi, counts.closed, counts.orientable, counts.manifold, counts.genus)
+        };
+        of(&mesh) == of(&turned)
+    }
+
     fn the_topology_of_a_volume_does_not_change_when_it_is_negated_twice(volume: Volume) -> bool {
         volume.negated().negated() == volume
     }

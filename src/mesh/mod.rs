@@ -2,6 +2,8 @@
 //! cell complexes.
 
 pub mod angle_deficit;
+#[cfg(feature = "quickcheck")]
+mod arbitrary;
 pub mod cells;
 pub mod classify;
 pub mod connected_sum;
@@ -24,6 +26,8 @@ pub mod plane;
 pub mod printed;
 pub mod realisation;
 pub mod simplicial;
+#[cfg(feature = "proptest")]
+pub mod strategy;
 pub mod triangles;
 pub mod vertex_list;
 pub mod weld;
