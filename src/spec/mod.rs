@@ -5,6 +5,7 @@
 //! a colon begins a field, which ends with the next field or an empty line; anything else is notes.
 
 pub mod html;
+pub mod rich;
 
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
@@ -61,6 +62,11 @@ pub struct Id {
 }
 
 impl Id {
+    /// The room whose chapter it stands in: `CU`.
+    pub fn room(&self) -> &str {
+        &self.room
+    }
+
     /// The name of the module that holds its tests: `cu_7`.
     pub fn test_module(&self) -> String {
         self.to_string().to_lowercase().replace('-', "_")
