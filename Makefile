@@ -22,7 +22,8 @@ test: m4
 
 # The heavy sweeps too: larger exhaustive domains, more random cases.
 test-long: m4
-	ISORACLE_LONG=1 PROPTEST_CASES=5000 $(CARGO) test --release --no-fail-fast --features proptest,quickcheck
+	ISORACLE_LONG=1 PROPTEST_CASES=5000 PROPTEST_MAX_GLOBAL_REJECTS=1000000 PROPTEST_MAX_LOCAL_REJECTS=100000000 \
+		$(CARGO) test --release --no-fail-fast --features proptest,quickcheck
 
 bench: m4
 	$(CARGO) bench
