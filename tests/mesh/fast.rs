@@ -139,7 +139,7 @@ fn every_pair_of_short_loops_broken_ones_too_is_checked_as_by_the_plain_version(
 
 /// A grid of quadrilaterals or triangles, closed around in neither, one or both directions, some faces gone, some turned;
 /// with a wave, or flat so that vertices lie inside edges where faces are gone.
-fn grid() -> impl Strategy<Value = Polygons> {
+pub fn grid() -> impl Strategy<Value = Polygons> {
     let size = (2..7_u32, 2..7_u32, any::<[bool; 2]>(), any::<bool>(), 0..3_i32);
     let spoilt = prop::collection::vec((any::<prop::sample::Index>(), 0..5_u8), 0..4);
     (size, spoilt).prop_map(|((m, n, around, split, wave), spoilt)| {

@@ -20,6 +20,7 @@ mod euler_operators;
 mod examples;
 mod fast;
 mod fast_exact;
+mod fast_order;
 mod figures;
 mod homology;
 mod implicit;

@@ -1,6 +1,7 @@
 //! The vertices strictly inside edges, among millions of both.
 
 use super::Point;
+use super::bounds::{Bounds, Item};
 use super::exact::strictly_between;
 use crate::mesh::triangles::EdgeKey;
 
@@ -27,11 +28,6 @@ pub fn junctions(
     (search.found, complete)
 }
 
-struct Item {
-    at: Point,
-    id: u32,
-}
-
 struct Search<'a> {
     points: &'a [Point],
     edges: &'a [EdgeKey],
@@ -53,10 +49,7 @@ impl Search<'_> {
         if items.len() <= FEW_VERTICES || edges.len() <= FEW_EDGES {
             return self.try_all(items, &edges);
         }
-        let axis = bounds.longest_axis();
-        let middle = items.len() / 2;
-        items.select_nth_unstable_by(middle, |a, b| a.at[axis].total_cmp(&b.at[axis]));
-        let (low, high) = items.split_at_mut(middle);
+        let (low, high) = bounds.halves(items);
         self.descend(low, edges.clone());
         self.descend(high, edges);
     }
@@ -78,61 +71,5 @@ impl Search<'_> {
 
     fn ends(&self, edge: u32) -> [&Point; 2] {
         self.edges[edge as usize].map(|v| &self.points[v as usize])
-    }
-}
-
-/// A closed box.
-struct Bounds {
-    low: Point,
-    high: Point,
-}
-
-impl Bounds {
-    fn of(items: &[Item]) -> Option<Bounds> {
-        let first = items.first()?.at;
-        let mut bounds = Bounds { low: first, high: first };
-        for item in items {
-            for i in 0..3 {
-                bounds.low[i] = bounds.low[i].min(item.at[i]);
-                bounds.high[i] = bounds.high[i].max(item.at[i]);
-            }
-        }
-        Some(bounds)
-    }
-
-    fn longest_axis(&self) -> usize {
-        let length = |i: usize| self.high[i] - self.low[i];
-        (0..3).max_by(|&i, &j| length(i).total_cmp(&length(j))).expect("three axes")
-    }
-
-    /// Whether a segment may have a point in the box: false only where a plane separates them. ME-149.
-    ///
-    /// The planes tried are those along the faces of the box, by comparison alone, and those that contain the segment and
-    /// are parallel to an axis: with d = b − a, the box is on one side of the latter if
-    /// |dⱼ(mₖ − aₖ) − dₖ(mⱼ − aⱼ)| > |dⱼ|hₖ + |dₖ|hⱼ for its midpoint m and its half sides h; rounding is outweighed by 16ε
-    /// times the sum of the products of all magnitudes.
-    #[doc(alias = "ME-149")]
-    fn may_meet(&self, [a, b]: [&Point; 2]) -> bool {
-        let apart = |i: usize| a[i].max(b[i]) < self.low[i] || a[i].min(b[i]) > self.high[i];
-        if (0..3).any(apart) {
-            return false;
-        }
-        // A short edge gains nothing from the other three.
-        let long = |i: usize| (b[i] - a[i]).abs() > self.high[i] - self.low[i];
-        !(0..3).any(long) || !(0..3).any(|axis| self.passes_by(axis, a, b))
-    }
-
-    fn passes_by(&self, axis: usize, a: &Point, b: &Point) -> bool {
-        let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-        let (dj, dk) = (b[j] - a[j], b[k] - a[k]);
-        let middle = |i: usize| self.low[i] / 2.0 + self.high[i] / 2.0;
-        let half = |i: usize| self.high[i] / 2.0 - self.low[i] / 2.0;
-        let distance = dj * (middle(k) - a[k]) - dk * (middle(j) - a[j]);
-        let reach = dj.abs() * half(k) + dk.abs() * half(j);
-        let magnitude = |i: usize| self.low[i].abs().max(self.high[i].abs()) + a[i].abs();
-        let error = 8.0 * f64::EPSILON * (dj.abs() * magnitude(k) + dk.abs() * magnitude(j));
-        // Underflows: where a factor is tiny the other one may be large, but not beyond 2¹⁰⁰ here.
-        let moderate = [a, b, &self.low, &self.high].iter().all(|p| p.iter().all(|x| x.abs() < 2_f64.powi(100)));
-        moderate && distance.abs() > reach + error + 2_f64.powi(-900)
     }
 }

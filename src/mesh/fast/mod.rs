@@ -6,11 +6,13 @@
 pub mod area;
 mod audit;
 pub mod between;
+mod bounds;
 mod components;
 mod edges;
 pub mod equal;
 pub mod exact;
 mod fans;
+pub mod order;
 pub mod polygons;
 pub mod report;
 pub mod shape;
@@ -26,13 +28,15 @@ use crate::mesh::triangles::EdgeKey;
 use crate::number::{OrderedField, Sign};
 use edges::{FaceOf, Side, Uses};
 use fans::Fans;
+use order::Renumbered;
 use shape::Shape;
 use std::collections::BTreeMap;
 
 /// A position of three finite binary64, each taken exactly.
 pub type Point = [f64; 3];
 
-/// The search for t-junctions stops at so many: edges that overlap on one line can have as many as the square of their number.
+/// The search for t-junctions stops at so many: edges that overlap on one line can have as many as the
+/// square of their number. Which of them are found then, the order of the mesh decides.
 pub const MAX_JUNCTIONS: usize = 10_000_000;
 
 /// Up to so many faces the area is enclosed within 2⁻¹²⁷ of itself, of more within 2⁻⁶¹.
@@ -42,6 +46,16 @@ pub const SMALL: usize = 100_000;
 ///
 /// Where an index is out of range, that category alone is reported. `tell` hears what is being done.
 pub fn check(mesh: &Polygons, tell: impl Fn(&'static str)) -> Report {
+    if order::is_scattered(mesh) {
+        tell("renumbering vertices and faces");
+        let renumbered = Renumbered::in_space(mesh);
+        return renumbered.in_old_numbers(check_in_order(renumbered.mesh(), tell));
+    }
+    check_in_order(mesh, tell)
+}
+
+/// The same without new numbers: slow where the mesh is in no order of space.
+pub fn check_in_order(mesh: &Polygons, tell: impl Fn(&'static str)) -> Report {
     let mut found = Found::default();
     loops(mesh, &mut found);
     if !found.out_of_range.is_empty() {
