@@ -7,7 +7,7 @@ use isoracle::spec::rich::rich;
 use isoracle::spec::{CHAPTERS, entries};
 
 fn shown(text: &str) -> String {
-    rich(text, &|name| name == "CU-7").into_string()
+    rich(text, &|name| name == "NU-7").into_string()
 }
 
 #[test]
@@ -31,7 +31,7 @@ fn every_formula_of_the_specification_is_drawn() {
 fn what_is_no_formula_stays_text() {
     assert_eq!(shown("a < b & c"), "a &lt; b &amp; c");
     assert_eq!(shown("$$\\no{such$$"), "<code>\\no{such</code>");
-    assert_eq!(shown("see CU-7 and CU-8"), "see <a href=\"CU-7.html\">CU-7</a> and CU-8");
+    assert_eq!(shown("see NU-7 and NU-8"), "see <a href=\"NU-7.html\">NU-7</a> and NU-8");
     assert_eq!(shown("a *use* of `x*y*z`"), "a <em>use</em> of <code>x*y*z</code>");
     assert_eq!(shown("2*3*4, a * b * c, **"), "2*3*4, a * b * c, **");
     assert_eq!(shown("an * alone, *open"), "an * alone, *open");
