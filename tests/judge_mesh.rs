@@ -110,6 +110,32 @@ fn a_category_that_is_not_there_fails_too() {
 }
 
 #[test]
+fn what_is_shrunk_keeps_the_defect_of_its_row_and_gets_no_other() {
+    let report = judged(|op, _, mut out| {
+        if op == "mesh.check" && out["counts"].is_object() {
+            out["counts"]["closed"] = json!(!out["counts"]["closed"].as_bool().unwrap());
+        }
+        out
+    });
+    let categories = |input: &Value| -> BTreeSet<String> {
+        let Value::Object(input) = input else { panic!("an object") };
+        let out = isoracle::answer::out("mesh.check", input).unwrap().value();
+        out["defects"].as_object().unwrap().keys().cloned().collect()
+    };
+    let mut shrunk = 0;
+    for failure in report.failures.iter().filter(|failure| CATEGORIES.contains(&failure.row.as_str())) {
+        let QuestionRecord::Other { input, .. } = &failure.question else { panic!("not about a volume") };
+        assert!(categories(input).contains(&failure.row), "{}: {input}", failure.row);
+        shrunk += 1;
+    }
+    // All but that of index_out_of_range, which has no counts.
+    assert_eq!(shrunk, CATEGORIES.len() - 1);
+    let sound = report.failures.iter().find(|failure| failure.row == "sound").unwrap();
+    let QuestionRecord::Other { input, .. } = &sound.question else { panic!("not about a volume") };
+    assert!(categories(input).is_empty());
+}
+
+#[test]
 fn counts_and_properties_are_judged_one_by_one() {
     for (name, fault) in [
         ("V", "wrong-counts"),
