@@ -3,7 +3,7 @@
 
 use super::edge_list::{EdgeId, EdgeList, Side};
 use super::explicit::Polygon;
-use super::operations::{Counted, NoSuch, Operations, counted};
+use super::operations::{Counted, NoSuch, Operations, counted, without_faces};
 use super::vertex_list::Point;
 use super::winged_edge::WingedEdges;
 use std::collections::BTreeSet;
@@ -252,14 +252,6 @@ impl Operations for HalfEdges {
     }
 
     fn unused_vertices(&self) -> Result<Counted<Vec<u32>>, NoSuch> {
-        let (mut unused, mut reads) = (Vec::new(), 0);
-        for vertex in 0..self.vertices.len() as u32 {
-            let faces = self.faces_at(&vertex)?;
-            reads += faces.reads;
-            if faces.answer.is_empty() {
-                unused.push(vertex);
-            }
-        }
-        counted(unused, reads)
+        without_faces(self, self.vertices.len())
     }
 }

@@ -55,6 +55,22 @@ pub(super) fn counted<T>(answer: T, reads: u64) -> Result<Counted<T>, NoSuch> {
     Ok(Counted { answer, reads })
 }
 
+/// The vertices, numbered from 0, that no polygon comes to, by asking at each.
+pub(super) fn without_faces(
+    mesh: &impl Operations<Vertex = u32>,
+    vertices: usize,
+) -> Result<Counted<Vec<u32>>, NoSuch> {
+    let (mut unused, mut reads) = (Vec::new(), 0);
+    for vertex in 0..vertices as u32 {
+        let faces = mesh.faces_at(&vertex)?;
+        reads += faces.reads;
+        if faces.answer.is_empty() {
+            unused.push(vertex);
+        }
+    }
+    counted(unused, reads)
+}
+
 /// The operations that the text lists (ME-1). Answers that are lists of names are sorted, each name once. An edge
 /// joins two different vertices: a side from a vertex to itself is none.
 ///

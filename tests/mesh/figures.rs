@@ -1,7 +1,8 @@
 //! The objects that the texts draw or list: their numbers, each on its mesh.
 
 use crate::domain::triangles;
-use isoracle::mesh::classify::{ClosedSurface, SPHERE, Surface, mesh_surfaces};
+use crate::tallies::{closed, count, faces_of_edges, holes_and_shells, numbers, torus};
+use isoracle::mesh::classify::{SPHERE, Surface, mesh_surfaces};
 use isoracle::mesh::euler::{Balance, EulerPoincare, faces_with_holes};
 use isoracle::mesh::examples::cube;
 use isoracle::mesh::examples::laminae::{
@@ -9,50 +10,11 @@ use isoracle::mesh::examples::laminae::{
 };
 use isoracle::mesh::examples::solids::{cubes_on_an_edge, pierced_block};
 use isoracle::mesh::examples::surfaces::{annulus, klein_bottle, sphere};
-use isoracle::mesh::face::{Face, edge};
+use isoracle::mesh::face::Face;
 use isoracle::mesh::gluing::{FaceError, Sheets};
-use isoracle::mesh::homology::ChainComplex;
 use isoracle::mesh::simplicial::SimplicialComplex;
 use isoracle::number::Rational;
 use std::collections::{BTreeMap, BTreeSet};
-
-fn count(faces: &[Face]) -> EulerPoincare {
-    EulerPoincare::of(faces).expect("loops of three vertices or more")
-}
-
-/// V, E, F.
-fn numbers(faces: &[Face]) -> [i64; 3] {
-    let count = count(faces);
-    [count.vertices, count.edges, count.faces]
-}
-
-/// H, C.
-fn holes_and_shells(faces: &[Face]) -> [i64; 2] {
-    let count = count(faces);
-    [count.holes, count.shells]
-}
-
-/// The closed surfaces of a mesh; by homology, too, 2G = b₁ over ℤ/2 and C = b₀.
-fn closed(faces: &[Face]) -> Vec<ClosedSurface> {
-    let surfaces = mesh_surfaces(faces).expect("a surface");
-    assert!(surfaces.iter().all(|s| s.boundary_loops == 0));
-    let betti = ChainComplex::of_faces(faces).expect("loops").betti_mod_2();
-    let count = count(faces);
-    assert_eq!(betti[0] as i64, count.shells);
-    assert_eq!(count.genus() * 2, betti[1]);
-    surfaces.into_iter().map(|s| s.closed).collect()
-}
-
-fn torus() -> ClosedSurface {
-    ClosedSurface::Orientable { genus: 1 }
-}
-
-/// How many faces each edge has.
-fn faces_of_edges(faces: &[Face]) -> BTreeMap<[u32; 2], usize> {
-    let mut uses = BTreeMap::new();
-    faces.iter().flat_map(Face::sides).for_each(|side| *uses.entry(edge(side)).or_default() += 1);
-    uses
-}
 
 mod me_96 {
     use super::*;

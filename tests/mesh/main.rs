@@ -35,4 +35,5 @@ mod printed;
 mod printed_criteria;
 mod representations;
 mod specimens;
+mod tallies;
 mod winged_edge;

@@ -72,17 +72,17 @@ fn square_prism(low: i64, high: i64, bottom: i64, top: i64) -> Vec<[i64; 3]> {
     [bottom, top].iter().flat_map(|z| square.map(|[x, y]| [x, y, *z])).collect()
 }
 
+/// The walls of the first prism of two from outside, and those of the second from inside.
+fn walls_and_inner() -> [Vec<Vec<u32>>; 2] {
+    let next = |i: u32| (i + 1) % 4;
+    let walls = (0..4).map(|i| vec![i, next(i), next(i) + 4, i + 4]).collect();
+    [walls, (0..4).map(|i| vec![next(i) + 8, i + 8, i + 12, next(i) + 12]).collect()]
+}
+
 /// The box [0, 3]³ with the tunnel [1, 2]² through it, along z: 16 vertices, 24 edges, 10 faces, two of them with a hole.
 pub fn box_with_tunnel() -> VertexList {
     let vertices = [square_prism(0, 3, 0, 3), square_prism(1, 2, 0, 3)].concat();
-    let walls = (0..4).map(|i| {
-        let j = (i + 1) % 4;
-        vec![i, j, j + 4, i + 4]
-    });
-    let inner = (0..4).map(|i| {
-        let j = (i + 1) % 4;
-        vec![j + 8, i + 8, i + 12, j + 12]
-    });
+    let [walls, inner] = walls_and_inner();
     let loops: Vec<Vec<u32>> = [vec![0, 3, 2, 1], vec![4, 5, 6, 7]].into_iter().chain(walls).chain(inner).collect();
     let mut all = mesh(&vertices, &loops);
     all.faces[0].holes = vec![vec![8, 9, 10, 11]];
@@ -93,14 +93,7 @@ pub fn box_with_tunnel() -> VertexList {
 /// The box [0, 3]³ with the pocket [1, 2]³ sunk from the top: no edge goes from the pocket's to the box's.
 pub fn box_with_pocket() -> VertexList {
     let vertices = [square_prism(0, 3, 0, 2), square_prism(1, 2, 1, 2)].concat();
-    let walls = (0..4).map(|i| {
-        let j = (i + 1) % 4;
-        vec![i, j, j + 4, i + 4]
-    });
-    let inner = (0..4).map(|i| {
-        let j = (i + 1) % 4;
-        vec![j + 8, i + 8, i + 12, j + 12]
-    });
+    let [walls, inner] = walls_and_inner();
     let ends = [vec![0, 3, 2, 1], vec![4, 5, 6, 7], vec![8, 9, 10, 11]];
     let loops: Vec<Vec<u32>> = ends.into_iter().chain(walls).chain(inner).collect();
     let mut all = mesh(&vertices, &loops);
