@@ -211,6 +211,29 @@ fn a_plane_is_judged_up_to_the_length_of_its_normal() {
     assert!(scaled(1.0 / 3.0, 0.0).is_empty());
     assert_eq!(faults(&scaled(-1.0, 0.0)), BTreeSet::from(["wrong-normal"]));
     assert!(faults(&scaled(1.0, 1e-3)).contains("wrong-normal"));
+    // An exact answer has to be exact, whatever the length of its normal.
+    let exactly = |tilt: &'static str, push: &'static str| {
+        asked(move |op, _, mut out| {
+            if op == "mesh.plane" {
+                let real = |value: &Value| isoracle::number::text::parse(value.as_str().unwrap()).unwrap();
+                let third = |x: isoracle::number::Rational| (x / 3u32).to_string();
+                let add = |text: &str| isoracle::number::text::parse(text).unwrap();
+                let normal: Vec<_> = out["normal"].as_array().unwrap().iter().map(real).collect();
+                let length: isoracle::number::Rational = normal.iter().map(|x| x.clone().abs()).sum();
+                let offset = real(&out["offset"]) + add(push);
+                let tilted = normal
+                    .iter()
+                    .enumerate()
+                    .map(|(i, x)| if i == 0 { x + length.clone() * add(tilt) } else { x.clone() });
+                out["normal"] = json!(tilted.map(third).collect::<Vec<_>>());
+                out["offset"] = json!(third(offset));
+            }
+            out
+        })
+    };
+    assert!(exactly("0", "0").is_empty());
+    assert!(faults(&exactly("1/1000000000", "0")).contains("wrong-normal"));
+    assert_eq!(faults(&exactly("0", "1/1000000000")), BTreeSet::from(["wrong-offset"]));
     let found = asked(|op, _, mut out| {
         if op == "mesh.plane" {
             out["planar"] = json!(!out["planar"].as_bool().unwrap());

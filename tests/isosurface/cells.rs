@@ -373,8 +373,10 @@ mod is_85 {
 mod is_96 {
     use super::*;
 
-    /// Planted cells have values below 2²⁷ and so critical values, where not 0, that are down to 2⁻¹⁰⁰ of them or so:
-    /// boxes are small enough at about half as many bits, or 55 cuts an axis. This is twice that.
+    /// Planted values are integers below M = 2³¹. A critical value c is a root of the hyperdeterminant of the values less
+    /// c, quadratic in c with integer coefficients of at most 64M², 96M³, 24M⁴: 0 < |c| < 1 gives |c| ≥ 1/(160 M³) > 2⁻¹⁰¹.
+    /// Around a critical point f changes by less than 2³⁵h² within h, so boxes 2⁻⁶⁸ wide do, or 204 cuts. This is half as
+    /// many again.
     const CUTS: u32 = 330;
 
     /// Found by chance: its critical value is 2⁻⁹³ of its greatest sample.

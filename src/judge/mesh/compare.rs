@@ -32,13 +32,13 @@ impl Fault {
     }
 
     /// An error where there is an answer, or another error than the question is.
-    pub fn refused(expected: &str, found: &str) -> Fault {
-        Fault::new("refused", "ME-74", "kind of answer", expected, found)
+    pub fn refused(operation: &str, expected: &str, found: &str) -> Fault {
+        Fault::new("refused", whole(operation), "kind of answer", expected, found)
     }
 
     /// An answer where the question has none.
-    pub fn answered(kind: &str, out: &Value) -> Fault {
-        Fault::new("answered", "ME-74", "kind of answer", &format!("an error: {kind}"), &out.to_string())
+    pub fn answered(operation: &str, kind: &str, out: &Value) -> Fault {
+        Fault::new("answered", whole(operation), "kind of answer", &format!("an error: {kind}"), &out.to_string())
     }
 }
 
@@ -60,7 +60,8 @@ pub fn compare(operation: &str, truth: &Value, found: &Value, tolerance: Toleran
         other => unreachable!("no operation {other} of meshes"),
     }
     if comparison.said == 0 {
-        comparison.faults = vec![Fault::new("says-nothing", "ME-74", "answer", &truth.to_string(), &found.to_string())];
+        comparison.faults =
+            vec![Fault::new("says-nothing", whole(operation), "answer", &truth.to_string(), &found.to_string())];
         comparison.left_out.clear();
     }
     (comparison.faults, comparison.left_out)
@@ -135,8 +136,9 @@ impl Comparison {
         self.note(said, "wrong-planarity", formula("nonplanar_face"), "planar", [&expected, &given]);
         let [expected, given] = pair("normal");
         let normals = [vector(&expected), vector(&given)];
+        let is_exact = !given.as_array().is_some_and(|list| list.iter().any(|x| is_rounded(x) || x.is_object()));
         let (said, scale) = match normals {
-            [Some(n), Some(m)] => self.parallel(&n, &m),
+            [Some(n), Some(m)] => self.parallel(&n, &m, is_exact),
             [_, None] if given.is_null() => (Said::Nothing, None),
             [_, _] => (Said::Wrongly, None),
         };
@@ -145,7 +147,7 @@ impl Comparison {
         let [expected, given] = pair("offset");
         let said = match (scale, given.is_null()) {
             (_, true) => Said::Nothing,
-            (Some(scale), false) => self.real(&expected, &given, Some(&scale)),
+            (Some(scale), false) => self.real(&expected, &given, Some((&scale, is_exact))),
             (None, false) => return,
         };
         self.note(said, "wrong-offset", formula("offset"), "offset", [&expected, &given]);
@@ -154,15 +156,17 @@ impl Comparison {
         self.note(said, "wrong-distance", formula("distance"), "worst_distance_squared", [&expected, &given]);
     }
 
-    /// Whether two vectors have one direction, and how long the second is in units of the first.
-    fn parallel(&self, n: &Vector<Rational, 3>, m: &Vector<Rational, 3>) -> (Said, Option<Rational>) {
+    /// Whether two vectors have one direction, and how long the second is in units of the first. Only where it is rounded may
+    /// it be off by the tolerance.
+    fn parallel(&self, n: &Vector<Rational, 3>, m: &Vector<Rational, 3>, is_exact: bool) -> (Said, Option<Rational>) {
         let (dot, square) = (n.dot(m), n.norm_squared());
         if dot <= 0 || square == 0 {
             return (Said::Wrongly, None);
         }
         // sin² of the angle between them.
         let sine = n.cross(m).norm_squared() / (square.clone() * m.norm_squared());
-        (told(sine <= self.relative().square()), Some(dot / square))
+        let most = if is_exact { Rational::new() } else { self.relative().square() };
+        (told(sine <= most), Some(dot / square))
     }
 
     fn deficits(&mut self, truth: &Value, found: &Value) {
@@ -194,17 +198,17 @@ impl Comparison {
         ulps >> 24
     }
 
-    /// Compares a real number with the true one (times a factor). Exact answers and enclosures are taken at their word;
+    /// Compares a real number with the true one (times a factor, exact or not). Exact answers and enclosures are taken at their word;
     /// a binary64 may be off by the tolerance, relative to the truth.
-    fn real(&self, truth: &Value, found: &Value, factor: Option<&Rational>) -> Said {
+    fn real(&self, truth: &Value, found: &Value, factor: Option<(&Rational, bool)>) -> Said {
         let (Some(truth), Some(given)) = (bounds(truth), bounds(found)) else {
             return told(truth == found);
         };
         let one = Rational::from(1);
-        let factor = factor.unwrap_or(&one);
+        let (factor, is_exact) = factor.unwrap_or((&one, true));
         let [low, high] = truth.map(|x| x * factor);
-        // With a float for a factor, only a float can come out.
-        let slack = if is_rounded(found) || !factor.is_integer() && *factor != 1 {
+        // Of a rounded factor only a rounded product comes.
+        let slack = if is_rounded(found) || !is_exact {
             (low.clone().abs().max(high.clone().abs())) * self.relative()
         } else {
             Rational::new()
@@ -235,7 +239,8 @@ fn bounds(value: &Value) -> Option<[Rational; 2]> {
 
 fn vector(value: &Value) -> Option<Vector<Rational, 3>> {
     let list = value.as_array().filter(|list| list.len() == 3)?;
-    let numbers: Vec<Rational> = list.iter().map(value::number).collect::<Result<_, _>>().ok()?;
+    let middle = |x: &Value| bounds(x).map(|[low, high]| (low + high) / 2);
+    let numbers: Vec<Rational> = list.iter().map(middle).collect::<Option<_>>()?;
     Some(Vector(numbers.try_into().ok()?))
 }
 
@@ -284,6 +289,15 @@ fn formula(name: &str) -> &'static str {
         "deficits" | "total_over_pi" => "ME-118",
         "volume" => "ME-148",
         // What the printed criteria leave out.
+        _ => "ME-74",
+    }
+}
+
+/// The spec entry of an operation as a whole.
+fn whole(operation: &str) -> &'static str {
+    match operation {
+        "mesh.plane" => "ME-67",
+        "mesh.angle_deficits" => "ME-118",
         _ => "ME-74",
     }
 }

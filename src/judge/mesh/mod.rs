@@ -41,11 +41,11 @@ impl Mesh {
             (_, Reply::Error { kind, message }) if kind == "limit" => return Judgement::Unsupported(message),
             (Err(kind), Reply::Error { kind: found, .. }) if found == kind => return Judgement::right(),
             (Err(kind), Reply::Error { kind: found, message }) => {
-                (vec![Fault::refused(kind, &format!("{found}: {message}"))], Vec::new())
+                (vec![Fault::refused(question.row.operation(), kind, &format!("{found}: {message}"))], Vec::new())
             }
-            (Err(kind), Reply::Out(out)) => (vec![Fault::answered(kind, &out)], Vec::new()),
+            (Err(kind), Reply::Out(out)) => (vec![Fault::answered(question.row.operation(), kind, &out)], Vec::new()),
             (Ok(_), Reply::Error { kind, message }) => {
-                (vec![Fault::refused("an answer", &format!("{kind}: {message}"))], Vec::new())
+                (vec![Fault::refused(question.row.operation(), "an answer", &format!("{kind}: {message}"))], Vec::new())
             }
             (Ok(truth), Reply::Out(out)) => compare::compare(question.row.operation(), &truth, &out, self.tolerance),
         };
