@@ -7,6 +7,7 @@
 //! | [`partition`] | disjoint sets |
 //! | [`isosurface`] | multilinear interpolation, marching squares, triangles, cubes, tetrahedra |
 //! | [`mesh`] | facts about any polygon mesh |
+//! | [`complex`] | closed 3-complexes: polyhedra glued face to face, and their tetrahedra |
 //! | [`format`](mod@format) | bytes ↔ unchecked records |
 //! | [`answer`] | the question-and-answer protocol |
 //! | [`judge`] | the harness that judges a candidate |
@@ -26,6 +27,7 @@
 
 #[cfg(feature = "cli")]
 pub mod answer;
+pub mod complex;
 #[cfg(feature = "cli")]
 pub mod format;
 pub mod isosurface;

@@ -12,10 +12,11 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("partition", &[]),
     ("isosurface", &["number", "linear", "partition"]),
     ("mesh", &["number", "linear", "partition"]),
+    ("complex", &["number", "linear", "partition", "mesh"]),
     ("format", &[]),
     ("spec", &[]),
-    ("answer", &["number", "linear", "isosurface", "mesh", "format"]),
-    ("judge", &["number", "linear", "partition", "isosurface", "mesh", "format", "answer"]),
+    ("answer", &["number", "linear", "isosurface", "mesh", "complex", "format"]),
+    ("judge", &["number", "linear", "partition", "isosurface", "mesh", "complex", "format", "answer"]),
 ];
 
 fn source(path: &Path, files: &mut Vec<PathBuf>) {

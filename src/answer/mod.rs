@@ -7,6 +7,7 @@
 //! [`MAX_EXPONENT`](crate::number::text::MAX_EXPONENT), 127 levels of nesting.
 
 pub mod angle_deficits;
+pub mod complex;
 pub mod isosurface;
 pub mod mesh;
 pub mod mesh_check;
@@ -48,6 +49,7 @@ pub const OPERATIONS: &[(&str, Operation)] = &[
     ("mesh.check", mesh_check::check),
     ("mesh.plane", mesh_check::plane),
     ("mesh.angle_deficits", angle_deficits::angle_deficits),
+    ("complex.glue", complex::glue),
 ];
 
 /// Answers every line of the input, in order, each flushed as soon as it and those before it are known;

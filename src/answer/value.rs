@@ -109,9 +109,20 @@ pub enum Problem {
     /// It is not the number of a vertex.
     #[error("expected the number of a vertex, an integer from 0 on, found {0}")]
     VertexNumber(Rational),
+    /// It is no index.
+    #[error("expected an index, an integer from 0 on, found {0}")]
+    Index(Rational),
     /// A triangle is not one of the mesh.
     #[error("{0}")]
     Triangle(AngleError),
+    /// It is no integer, or one too large to be counted.
+    #[error("expected an integer of at most {bits} bits, found {found}")]
+    Bits {
+        /// How many bits it may have, with its sign.
+        bits: u32,
+        /// What it is.
+        found: Rational,
+    },
     /// It is not a number of digits.
     #[error("expected a number of digits, an integer from 0 on, found {0}")]
     Digits(Rational),
@@ -165,6 +176,8 @@ impl InvalidField {
             | Problem::NotFinite { .. }
             | Problem::FewVertices { .. }
             | Problem::Triangle(_)
+            | Problem::Index(_)
+            | Problem::Bits { .. }
             | Problem::Digits(_)
             | Problem::BesideFile
             | Problem::Volume(_)
@@ -293,6 +306,21 @@ pub fn vertex_number(value: &Value) -> Result<u32, InvalidField> {
     match number(value)? {
         n if n.is_integer() && n >= 0 => Ok(n.numer().to_u32().unwrap_or(u32::MAX)),
         n => Err(InvalidField::here(Problem::VertexNumber(n))),
+    }
+}
+
+/// An integer of 32 bits, with its sign.
+pub fn int32(value: &Value) -> Result<i32, InvalidField> {
+    let n = number(value)?;
+    let small = n.is_integer().then(|| n.numer().to_i32()).flatten();
+    small.ok_or_else(|| InvalidField::here(Problem::Bits { bits: 32, found: n }))
+}
+
+/// An index, counted from 0. One beyond any list is the greatest there is, which no item has.
+pub fn index(value: &Value) -> Result<usize, InvalidField> {
+    match number(value)? {
+        n if n.is_integer() && n >= 0 => Ok(n.numer().to_usize().unwrap_or(usize::MAX)),
+        n => Err(InvalidField::here(Problem::Index(n))),
     }
 }
 

@@ -17,6 +17,7 @@ pub const CHAPTERS: &[(&str, &str)] = &[
     ("numbers.md", include_str!("../../spec/numbers.md")),
     ("isosurface.md", include_str!("../../spec/isosurface.md")),
     ("mesh.md", include_str!("../../spec/mesh.md")),
+    ("complex.md", include_str!("../../spec/complex.md")),
 ];
 
 /// What checking a formula has shown.

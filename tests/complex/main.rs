@@ -1,0 +1,3 @@
+//! Closed 3-complexes: each entry of spec/complex.md against a second derivation.
+
+mod ground;
