@@ -15,6 +15,10 @@ fn canonical(op: &str, out: &Value) -> Value {
             out
         }
         "mesh.check" => canonical_check(out),
+        "complex.glue" => canonical_glue(out),
+        "complex.refine" => {
+            pick(out, &["V", "E", "F", "T", "simplicial", "degenerate_tetrahedra", "duplicate_tetrahedra"])
+        }
         _ => panic!("no file here asks {op}"),
     }
 }
@@ -44,6 +48,41 @@ fn canonical_check(out: &Value) -> Value {
     let defects = out["defects"].as_object_mut().expect("defects by category");
     defects.values_mut().for_each(|elements| *elements = sorted(list(elements).to_vec()));
     out
+}
+
+/// Of an invalid scheme the reason alone; rings and sides are bags, torsion the orders of its primary cyclic parts.
+fn canonical_glue(out: &Value) -> Value {
+    if out["valid"] == json!(false) {
+        return pick(out, &["valid", "reason"]);
+    }
+    let numbers =
+        ["valid", "cells", "chi", "facet_edge_pairs", "components", "orientable", "tetrahedra", "barycentric"];
+    let mut canonical = pick(out, &numbers);
+    for field in ["edge_ring_sizes", "face_degrees"] {
+        canonical[field] = sorted(list(&out[field]).to_vec());
+    }
+    let h1 = &out["homology"]["h1"];
+    let parts = list(&h1["torsion"]).iter().flat_map(|n| primary_parts(integer(n))).map(Value::from);
+    canonical["h1"] = json!([h1["rank"], sorted(parts.collect())]);
+    canonical
+}
+
+/// The prime powers whose product is n, each prime once.
+fn primary_parts(mut n: u64) -> Vec<u64> {
+    let mut parts = Vec::new();
+    for p in 2..=n {
+        let mut power = 1;
+        while n.is_multiple_of(p) {
+            (n, power) = (n / p, power * p);
+        }
+        parts.extend(Some(power).filter(|power| *power > 1));
+    }
+    parts
+}
+
+/// Some of the fields; one that is missing is null.
+fn pick(out: &Value, fields: &[&str]) -> Value {
+    fields.iter().map(|field| ((*field).to_owned(), out[*field].clone())).collect()
 }
 
 /// A cycle of edges, the least of all its rotations in both directions.
@@ -124,6 +163,13 @@ fn broken_ties_conform() {
 #[test]
 fn checks_of_meshes_conform() {
     conform("mesh.jsonl", |op| op == "mesh.check", &[("mesh.check", 7)]);
+}
+
+#[test]
+fn gluing_schemes_conform() {
+    let asked = |op: &str| op == "complex.glue";
+    conform("complex.jsonl", asked, &[("complex.glue", 12)]);
+    conform("complex_derived.jsonl", asked, &[("complex.glue", 608)]);
 }
 
 #[test]
