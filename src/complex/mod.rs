@@ -5,12 +5,14 @@
 //! which every point has a neighbourhood like that of a point of space.
 
 pub mod chain;
+pub mod check;
 pub mod closed_complex;
 pub mod examples;
 pub mod flag;
 pub mod manifold;
 pub mod permutation;
 pub mod polyhedron;
+pub mod refine;
 pub mod scheme;
 pub mod tetrahedra;
 pub mod triangulation;
