@@ -1,5 +1,6 @@
 //! Refinement of order k: each tetrahedron cut into k³ along the lattice of the points with coordinates 0, 1/k, …, 1.
 
+pub mod counts;
 pub mod fast;
 pub mod simplicial;
 
