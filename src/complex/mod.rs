@@ -4,6 +4,7 @@
 //! [`ClosedComplex`](closed_complex::ClosedComplex) one whose cells are cells, a [`Manifold3`](manifold::Manifold3) one in
 //! which every point has a neighbourhood like that of a point of space.
 
+pub mod barycentric;
 pub mod chain;
 pub mod check;
 pub mod closed_complex;
@@ -12,6 +13,7 @@ pub mod flag;
 pub mod manifold;
 pub mod permutation;
 pub mod polyhedron;
+pub mod radial;
 pub mod refine;
 pub mod scheme;
 pub mod tetrahedra;

@@ -19,9 +19,11 @@ pub enum Obstruction {
     SamePair,
     /// Two tetrahedra with two triangles in common, or one with a triangle twice: of order 3.
     TwoTriangles,
-    /// The surface around a vertex is no simplicial complex: two angles between the same ends of edges, one between an end and
-    /// itself, or two corners between the same three ends: of every order.
-    Link,
+    /// Two angles between the same ends of edges, or one between an end and itself: of every order.
+    AnglesBetweenEnds,
+    /// Two corners of tetrahedra between the same three ends of edges, or one with an end twice: of every order. There are degenerate
+    /// and duplicate tetrahedra then.
+    CornersBetweenEnds,
 }
 
 impl Obstruction {
@@ -32,7 +34,7 @@ impl Obstruction {
             Obstruction::Loop => order <= 2,
             Obstruction::AnglesBetweenEdges | Obstruction::SamePair => order == 2,
             Obstruction::TwoTriangles => order == 3,
-            Obstruction::Link => true,
+            Obstruction::AnglesBetweenEnds | Obstruction::CornersBetweenEnds => true,
         }
     }
 }
@@ -66,7 +68,8 @@ pub fn obstructions(base: &Triangulation) -> BTreeSet<Obstruction> {
     let corners = (0..base.len()).flat_map(|tetrahedron| {
         (0..4).map(move |i| (sorted([1, 2, 3].map(|j| end_of(tetrahedron, i, (i + j) % 4))), (4 * tetrahedron + i) as u32))
     });
-    note(!are_told_apart(angles(base, end_of)) || !are_told_apart(corners), Obstruction::Link);
+    note(!are_told_apart(angles(base, end_of)), Obstruction::AnglesBetweenEnds);
+    note(!are_told_apart(corners), Obstruction::CornersBetweenEnds);
     found
 }
 
