@@ -1,6 +1,7 @@
 //! The frames of the protocol: a question in, an answer or a refusal out, one line each.
 
 use super::value::{InvalidField, Object};
+use crate::complex::scheme::SchemeDefect;
 use crate::isosurface::cell::Degenerate;
 use crate::isosurface::polyline::DegenerateGridSquare;
 use crate::isosurface::square::DegenerateSquare;
@@ -87,6 +88,20 @@ pub enum Refusal {
     /// A triangle of the mesh has no angles.
     #[error("{0}")]
     DegenerateTriangle(AngleError),
+    /// Polyhedra or pairings have a defect by themselves.
+    #[error("{0}")]
+    InvalidScheme(Box<SchemeDefect>),
+    /// What a scheme glues is no manifold.
+    #[error("{0}")]
+    NoManifold(Box<SchemeDefect>),
+    /// A refinement with more tetrahedra than the limit.
+    #[error("order: a refinement may have at most {limit} tetrahedra; of order k it has {pairs}·k³")]
+    TooManyTetrahedra {
+        /// How many face-edge pairs there are.
+        pairs: u64,
+        /// The limit.
+        limit: u64,
+    },
     /// An operation panicked: our fault.
     #[error("a bug in the oracle: {0}")]
     Panic(String),
@@ -138,10 +153,10 @@ impl Refusal {
     pub fn kind(&self) -> Option<Kind> {
         match self {
             Refusal::NotUtf8(_) | Refusal::NotAMessage(_) | Refusal::NotAnObject => Some(Kind::Malformed),
-            Refusal::LineTooLong(_) => Some(Kind::Limit),
+            Refusal::LineTooLong(_) | Refusal::TooManyTetrahedra { .. } => Some(Kind::Limit),
             Refusal::NoSuchOperation(_) | Refusal::NoSuchProtocol(_) => None,
             Refusal::InvalidField(error) if error.is_limit() => Some(Kind::Limit),
-            Refusal::InvalidField(_) => Some(Kind::InvalidInput),
+            Refusal::InvalidField(_) | Refusal::InvalidScheme(_) => Some(Kind::InvalidInput),
             Refusal::Degenerate(_)
             | Refusal::DegenerateCell(_)
             | Refusal::DegenerateSquare(_)
@@ -149,7 +164,8 @@ impl Refusal {
             | Refusal::DegeneratePoint(_)
             | Refusal::DegenerateSample(_)
             | Refusal::NoPlane(_)
-            | Refusal::DegenerateTriangle(_) => Some(Kind::Degenerate),
+            | Refusal::DegenerateTriangle(_)
+            | Refusal::NoManifold(_) => Some(Kind::Degenerate),
             Refusal::Panic(_) => Some(Kind::Internal),
         }
     }

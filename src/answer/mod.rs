@@ -8,6 +8,7 @@
 
 pub mod angle_deficits;
 pub mod complex;
+pub mod complex_refine;
 pub mod isosurface;
 pub mod mesh;
 pub mod mesh_check;
@@ -50,6 +51,7 @@ pub const OPERATIONS: &[(&str, Operation)] = &[
     ("mesh.plane", mesh_check::plane),
     ("mesh.angle_deficits", angle_deficits::angle_deficits),
     ("complex.glue", complex::glue),
+    ("complex.refine", complex_refine::refine),
 ];
 
 /// Answers every line of the input, in order, each flushed as soon as it and those before it are known;

@@ -126,6 +126,9 @@ pub enum Problem {
     /// It is not a number of digits.
     #[error("expected a number of digits, an integer from 0 on, found {0}")]
     Digits(Rational),
+    /// It is no order of refinement.
+    #[error("expected an order, an integer from 1 on, found {0}")]
+    Order(Rational),
     /// What is in the file does not make a volume.
     #[error("{0}")]
     VolumeFile(VolumeError),
@@ -179,6 +182,7 @@ impl InvalidField {
             | Problem::Index(_)
             | Problem::Bits { .. }
             | Problem::Digits(_)
+            | Problem::Order(_)
             | Problem::BesideFile
             | Problem::Volume(_)
             | Problem::VolumeFile(_)

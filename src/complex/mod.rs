@@ -4,13 +4,17 @@
 //! [`ClosedComplex`](closed_complex::ClosedComplex) one whose cells are cells, a [`Manifold3`](manifold::Manifold3) one in
 //! which every point has a neighbourhood like that of a point of space.
 
+pub mod barycentric;
 pub mod chain;
+pub mod check;
 pub mod closed_complex;
 pub mod examples;
 pub mod flag;
 pub mod manifold;
 pub mod permutation;
 pub mod polyhedron;
+pub mod radial;
+pub mod refine;
 pub mod scheme;
 pub mod tetrahedra;
 pub mod triangulation;
