@@ -4,13 +4,25 @@
 //! [`ClosedComplex`](closed_complex::ClosedComplex) one whose cells are cells, a [`Manifold3`](manifold::Manifold3) one in
 //! which every point has a neighbourhood like that of a point of space.
 
+pub mod abelian;
 pub mod chain;
 pub mod closed_complex;
+pub mod euler;
 pub mod examples;
+pub mod finite_group;
 pub mod flag;
+pub mod fundamental_group;
+pub mod homology_fast;
+pub mod kuhn_torus;
 pub mod manifold;
+pub mod orientation;
 pub mod permutation;
 pub mod polyhedron;
+pub mod presentation;
+pub mod relations;
 pub mod scheme;
 pub mod tetrahedra;
+pub mod tietze;
 pub mod triangulation;
+pub mod triangulation_chain;
+pub mod triangulation_link;
