@@ -21,7 +21,11 @@ fn main() {
     let numbers: Vec<u32> = arguments.iter().filter_map(|argument| argument.parse().ok()).collect();
     match numbers[..] {
         [] => {
-            let cases = [vec![CUBES.to_string()], vec!["5".into(), "2".into(), "3".into()], vec!["50".into(), "19".into(), "2".into()]];
+            let cases = [
+                vec![CUBES.to_string()],
+                vec!["5".into(), "2".into(), "3".into()],
+                vec!["50".into(), "19".into(), "2".into()],
+            ];
             for case in cases {
                 let this = std::env::current_exe().expect("this program has a file");
                 assert!(Command::new(this).args(case).status().expect("it runs").success());

@@ -30,6 +30,12 @@ impl AbelianGroup {
         }
     }
 
+    /// Whether its torsion is A ⊕ A for a group A (CX-317). H₁ of an orientable closed 3-manifold in four dimensions is so.
+    #[doc(alias = "CX-317")]
+    pub fn has_doubled_torsion(&self) -> bool {
+        self.torsion.len().is_multiple_of(2) && self.torsion.chunks(2).all(|pair| pair[0] == pair[1])
+    }
+
     /// Whether it has one element only.
     pub fn is_trivial(&self) -> bool {
         self.rank == 0 && self.torsion.is_empty()

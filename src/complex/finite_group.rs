@@ -38,7 +38,8 @@ impl FiniteGroup {
         }
         let row = |a: &Vec<usize>| elements.iter().map(|b| numbers[&then(a, b)]).collect();
         let products: Vec<Vec<u32>> = elements.iter().map(row).collect();
-        let inverse = |row: &Vec<u32>| row.iter().position(|product| *product == 0).expect("a row has each element") as u32;
+        let inverse =
+            |row: &Vec<u32>| row.iter().position(|product| *product == 0).expect("a row has each element") as u32;
         let inverses = products.iter().map(inverse).collect();
         Some(FiniteGroup { products, inverses })
     }
@@ -50,7 +51,19 @@ impl FiniteGroup {
 
     /// S_n.
     pub fn symmetric(n: usize) -> FiniteGroup {
-        let swap = |i: usize| (0..n).map(|j| if j == i { i + 1 } else if j == i + 1 { i } else { j }).collect();
+        let swap = |i: usize| {
+            (0..n)
+                .map(|j| {
+                    if j == i {
+                        i + 1
+                    } else if j == i + 1 {
+                        i
+                    } else {
+                        j
+                    }
+                })
+                .collect()
+        };
         FiniteGroup::generated(n, &(1..n).map(|i| swap(i - 1)).collect::<Vec<_>>()).expect("permutations")
     }
 

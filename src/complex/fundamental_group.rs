@@ -106,8 +106,9 @@ impl Triangulation {
                 if !std::mem::replace(&mut walked[*triangle as usize], true) {
                     let [a, b, c] = corners_of_triangle(i);
                     let sides = [[a, b], [b, c], [c, a]].map(|[from, to]| skeleton.edge(t, from, to));
-                    let letters =
-                        sides.iter().filter_map(|(edge, forward)| Some(Letter::new(numbers[*edge as usize]?, *forward)));
+                    let letters = sides
+                        .iter()
+                        .filter_map(|(edge, forward)| Some(Letter::new(numbers[*edge as usize]?, *forward)));
                     relators[components.of[t] as usize].push(letters.collect());
                 }
             }

@@ -9,7 +9,7 @@ use std::collections::VecDeque;
 
 const UNKNOWN: u32 = u32::MAX;
 
-/// H₀ … H₃ over ℤ of a closed triangulation (CX-315, CX-303), the links of its vertices being any surfaces.
+/// H₀ … H₃ over ℤ of a closed triangulation (CX-303, CX-304, CX-315), the links of its vertices being any surfaces.
 ///
 /// H₀ and H₃ are the components and those that can be oriented. H₁ is ℤ^E modulo a spanning forest of the vertices and the
 /// boundaries of the triangles: what the edges are there is found triangle by triangle. H₂ has the torsion ℤ/2 for each
@@ -18,6 +18,7 @@ const UNKNOWN: u32 = u32::MAX;
 /// # Errors
 /// Iff an edge is glued to itself, tail to head: the first one.
 #[doc(alias = "CX-303")]
+#[doc(alias = "CX-304")]
 #[doc(alias = "CX-315")]
 pub fn homology(triangulation: &Triangulation) -> Result<Homology, ReversedEdge> {
     let cells = Cells::new(triangulation)?;
@@ -92,7 +93,9 @@ impl Cells {
                     for side in self.triangles[triangle as usize] {
                         match values[edge(side)] {
                             UNKNOWN => missing = Some(side),
-                            value => sum = group.sum(sum, if side % 2 == 0 { value } else { Relations::negative(value) }),
+                            value => {
+                                sum = group.sum(sum, if side % 2 == 0 { value } else { Relations::negative(value) })
+                            }
                         }
                     }
                     match missing {

@@ -21,9 +21,8 @@ pub fn kuhn_torus([a, b, c]: [usize; 3]) -> Triangulation {
             cube[axis] = (cube[axis] + steps) % sizes[axis];
             cube
         };
-        let glued = |tetrahedron, images| {
-            TriangleGluing { tetrahedron, corners: Perm4::new(images).expect("a permutation") }
-        };
+        let glued =
+            |tetrahedron, images| TriangleGluing { tetrahedron, corners: Perm4::new(images).expect("a permutation") };
         // Opposite corners 1 and 2 two axes change places; opposite 0 and 3 lie the next cubes along the first and the last one.
         [
             glued(number(moved(i, 1), [j, k, i]), [3, 0, 1, 2]),

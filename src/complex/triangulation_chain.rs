@@ -41,8 +41,10 @@ impl Triangulation {
         let mut directions = self.directions();
         let cells = self.skeleton();
         let places = cells.edges.as_flattened().iter().enumerate();
-        let mut reversed: Vec<u32> =
-            places.filter(|(i, _)| directions.find(2 * i) == directions.find(2 * i + 1)).map(|(_, edge)| *edge).collect();
+        let mut reversed: Vec<u32> = places
+            .filter(|(i, _)| directions.find(2 * i) == directions.find(2 * i + 1))
+            .map(|(_, edge)| *edge)
+            .collect();
         reversed.sort_unstable();
         reversed.dedup();
         reversed
@@ -62,12 +64,13 @@ impl Triangulation {
         Ok(DirectedSkeleton { cells: self.skeleton(), forward: (0..self.len()).map(forward).collect() })
     }
 
-    /// The chain complex C₃ → C₂ → C₁ → C₀ of its cells (CX-301): ∂(v₀ … v_k) = Σ (−1)^i (v₀ … v̂_i … v_k) in the order of the
+    /// The chain complex C₃ → C₂ → C₁ → C₀ of its cells (CX-301, CX-302): ∂(v₀ … v_k) = Σ (−1)^i (v₀ … v̂_i … v_k) in the order of the
     /// corners, each cell with the direction of its first place. Three edges of a triangle may be one edge.
     ///
     /// # Errors
     /// Iff an edge is glued to itself, tail to head: the first one.
     #[doc(alias = "CX-301")]
+    #[doc(alias = "CX-302")]
     pub fn chain_complex(&self) -> Result<ChainComplex, ReversedEdge> {
         let skeleton = self.directed_skeleton()?;
         let [vertices, edges, triangles, tetrahedra] = skeleton.cells.counts;
@@ -112,8 +115,7 @@ impl Triangulation {
             for (triangle, gluing) in gluings.iter().enumerate() {
                 for (edge, [i, j]) in EDGES.iter().enumerate().filter(|(_, ends)| !ends.contains(&triangle)) {
                     let [k, l] = [*i, *j].map(|corner| gluing.corners.image(corner));
-                    let (here, there) =
-                        (6 * tetrahedron + edge, 6 * gluing.tetrahedron as usize + edge_between(k, l));
+                    let (here, there) = (6 * tetrahedron + edge, 6 * gluing.tetrahedron as usize + edge_between(k, l));
                     let turned = usize::from(k > l);
                     same.join(2 * here, 2 * there + turned);
                     same.join(2 * here + 1, 2 * there + 1 - turned);

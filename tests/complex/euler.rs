@@ -1,11 +1,13 @@
 //! Orientation, links and χ, each by a second route.
 
 use crate::every_gluing::{
-    cube_gluings, named, one_tetrahedron, random_triangulation, small_complexes, tetrahedron_gluings,
+    cube_gluings, is_long, named, one_tetrahedron, random_triangulation, small_complexes, tetrahedron_gluings,
+    triangulation,
 };
 use isoracle::complex::closed_complex::ClosedComplex;
 use isoracle::complex::examples::paired;
 use isoracle::complex::manifold::Manifold3;
+use isoracle::complex::permutation::Perm4;
 use isoracle::complex::scheme::{FaceId, GluingScheme, Polyhedron, Reason};
 use isoracle::complex::triangulation::{EDGES, Triangulation};
 use isoracle::complex::triangulation_link::EdgePlace;
@@ -16,11 +18,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// V, E, F, P of a scheme by its corners and sides alone, whatever becomes of the edges; and how many edges are reversed.
 fn counted(scheme: &GluingScheme) -> ([i64; 4], i64) {
-    let first: Vec<usize> = scheme
-        .polyhedra
-        .iter()
-        .scan(0, |sum, p| Some(std::mem::replace(sum, *sum + p.edges.len())))
-        .collect();
+    let first: Vec<usize> =
+        scheme.polyhedra.iter().scan(0, |sum, p| Some(std::mem::replace(sum, *sum + p.edges.len()))).collect();
     let n = scheme.polyhedra.iter().map(|p| p.edges.len()).sum();
     // Ends 2e, 2e + 1 of edge e; and the edges.
     let (mut ends, mut edges) = (Partition::new(2 * n), Partition::new(n));
@@ -66,6 +65,40 @@ fn counted(scheme: &GluingScheme) -> ([i64; 4], i64) {
     ([counts[0], counts[1], faces, scheme.polyhedra.len() as i64], reversed.len() as i64)
 }
 
+/// A tetrahedron for each side of each face: tail, head, the middle of the face, the middle of the polyhedron. Edges stay whole,
+/// so a reversed one stays reversed.
+fn coned(scheme: &GluingScheme) -> Triangulation {
+    let mut at: BTreeMap<FaceId, usize> = BTreeMap::new();
+    let mut n = 0;
+    for face in scheme.faces() {
+        at.insert(face, n);
+        n += scheme.face(face).expect("a face").len();
+    }
+    let mut pairs = Vec::new();
+    let (same, turned) = (Perm4::IDENTITY, Perm4::new([1, 0, 2, 3]).expect("a permutation"));
+    let mut uses: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+    for (face, first) in &at {
+        let sides = scheme.face(*face).expect("a face");
+        for (i, side) in sides.iter().enumerate() {
+            // The head of a side is the tail of the next one.
+            pairs.push(([first + i, 0], [first + (i + 1) % sides.len(), 1], turned));
+            let edge = (face.polyhedron, side.index().expect("an edge"));
+            if let Some(other) = uses.insert(edge, first + i) {
+                pairs.push(([other, 2], [first + i, 2], turned));
+            }
+        }
+    }
+    for pairing in &scheme.pairings {
+        let sides = scheme.face(pairing.a).expect("a face").len() as i64;
+        for i in 0..sides {
+            let (j, corners) =
+                if pairing.dir == 1 { (pairing.shift + i, same) } else { (pairing.shift - i - 1, turned) };
+            pairs.push(([at[&pairing.a] + i as usize, 3], [at[&pairing.b] + j.rem_euclid(sides) as usize, 3], corners));
+        }
+    }
+    triangulation(n, &pairs)
+}
+
 fn chi([v, e, f, p]: [i64; 4]) -> i64 {
     v - e + f - p
 }
@@ -94,6 +127,21 @@ mod cx_305 {
         for triangulation in one_tetrahedron() {
             assert_eq!(triangulation.euler_characteristic_by_links(), triangulation.euler_characteristic());
         }
+    }
+
+    #[test]
+    fn chi_is_told_by_the_links_of_every_glued_cube() {
+        let step = if is_long() { 1 } else { 7 };
+        let mut reversed_cubes = 0;
+        for scheme in tetrahedron_gluings().into_iter().chain(cube_gluings().into_iter().step_by(step)) {
+            let (counts, reversed) = counted(&scheme);
+            let cones = coned(&scheme);
+            assert_eq!(cones.reversed_edges().len() as i64, reversed);
+            assert_eq!(cones.euler_characteristic(), chi(counts));
+            assert_eq!(cones.euler_characteristic_by_links(), chi(counts), "{:?}", scheme.pairings);
+            reversed_cubes += usize::from(reversed > 0);
+        }
+        assert!(reversed_cubes > 300);
     }
 
     proptest! {
@@ -160,7 +208,10 @@ mod cx_306 {
     #[test]
     fn so_many_gluings_are_manifolds() {
         let manifolds = |schemes: Vec<GluingScheme>| {
-            let zero = |scheme: &GluingScheme| { let (counts, reversed) = counted(scheme); reversed == 0 && chi(counts) == 0 };
+            let zero = |scheme: &GluingScheme| {
+                let (counts, reversed) = counted(scheme);
+                reversed == 0 && chi(counts) == 0
+            };
             schemes.iter().filter(|scheme| zero(scheme)).count()
         };
         assert_eq!([manifolds(tetrahedron_gluings()), manifolds(cube_gluings())], [27, 625]);
@@ -294,6 +345,20 @@ mod cx_309 {
     fn the_tetrahedra_around_an_edge_make_one_circle() {
         one_tetrahedron().iter().for_each(rings_are_circles);
         small_complexes(97).iter().for_each(|complex| rings_are_circles(&complex.tetrahedra()));
+    }
+
+    #[test]
+    fn the_ring_of_a_reversed_edge_goes_round_twice() {
+        let cones = coned(&paired(Polyhedron::tetrahedron(), &[(0, 1, 0, -1), (2, 3, 0, 1)]));
+        let reversed = cones.reversed_edges();
+        assert_eq!(reversed.len(), 1);
+        let edges = cones.skeleton().edges;
+        let (t, place) = (0..edges.len())
+            .find_map(|t| Some((t, edges[t].iter().position(|e| *e == reversed[0])?)))
+            .expect("it has a place");
+        let [tail, head] = EDGES[place].map(|corner| corner as u8);
+        let ring = cones.edge_ring(EdgePlace { tetrahedron: t as u32, tail, head });
+        assert_eq!(ring.len(), 2 * edges.iter().flatten().filter(|e| **e == reversed[0]).count());
     }
 
     #[test]

@@ -125,7 +125,8 @@ pub fn dodecahedron(turn: i64) -> GluingScheme {
     let mut pairs = Vec::new();
     for (a, face) in faces.iter().enumerate() {
         let images: Vec<u32> = face.iter().map(|v| opposite(*v)).collect();
-        let b = faces.iter().position(|other| images.iter().all(|v| other.contains(v))).expect("it has an opposite face");
+        let b =
+            faces.iter().position(|other| images.iter().all(|v| other.contains(v))).expect("it has an opposite face");
         if a < b {
             let corner = faces[b].iter().position(|v| *v == images[0]).expect("it is there") as i64;
             // The antipodal map turns outsides over, and runs around the opposite face the other way, as seen from outside.
@@ -148,8 +149,7 @@ pub fn named() -> Vec<(&'static str, ClosedComplex)> {
         ("Klein bottle × S¹", cube(&[(0, 1, 3, -1), (2, 4, 1, -1), (3, 5, 0, 1)])),
         ("T³ and L(3,1)", schemes_beside(&[three_torus(), lens_space(3, 1)])),
     ];
-    let complex = |(name, scheme)| {
-        (name, ClosedComplex::new(scheme).unwrap_or_else(|defects| panic!("{name}: {defects:?}")))
-    };
+    let complex =
+        |(name, scheme)| (name, ClosedComplex::new(scheme).unwrap_or_else(|defects| panic!("{name}: {defects:?}")));
     schemes.into_iter().map(complex).collect()
 }

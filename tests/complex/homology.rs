@@ -3,11 +3,14 @@
 use crate::every_gluing::{beside, is_long, named, one_tetrahedron, random_triangulation, small_complexes};
 use crate::subdivided::subdivided;
 use isoracle::complex::closed_complex::ClosedComplex;
+use isoracle::complex::examples::paired;
 use isoracle::complex::manifold::Manifold3;
 use isoracle::complex::permutation::Perm4;
+use isoracle::complex::scheme::Polyhedron;
 use isoracle::complex::triangulation::{TriangleGluing, Triangulation};
 use isoracle::complex::triangulation_chain::ReversedEdge;
 use isoracle::complex::triangulation_link::EdgePlace;
+use isoracle::mesh::classify::ClosedSurface;
 use isoracle::mesh::homology::{Homology, alternating_sum};
 use isoracle::number::Integer;
 use proptest::prelude::*;
@@ -17,7 +20,7 @@ fn over_z2(homology: &Homology) -> Vec<usize> {
     (0..4).map(|k| homology.betti[k] + even(k) + if k > 0 { even(k - 1) } else { 0 }).collect()
 }
 
-/// The components as complexes of their own, with whether each is orientable.
+/// What H₀ … H₃ must be.
 fn is_right(complex: &ClosedComplex, homology: &Homology) {
     let [b0, b1, b2, b3] = homology.betti[..] else { panic!("four groups") };
     let components = complex.barycentric().components();
@@ -74,7 +77,8 @@ mod cx_301 {
         let vertices = |i: usize| -> Vec<usize> { (0..5).filter(|v| *v != i).collect() };
         let gluing = |i: usize, corner: usize| {
             let j = vertices(i)[corner];
-            let image = |v: usize| vertices(j).iter().position(|w| *w == if v == j { i } else { v }).expect("there") as u8;
+            let image =
+                |v: usize| vertices(j).iter().position(|w| *w == if v == j { i } else { v }).expect("there") as u8;
             let corners = Perm4::new(std::array::from_fn(|k| image(vertices(i)[k]))).expect("a permutation");
             TriangleGluing { tetrahedron: j as u32, corners }
         };
@@ -178,6 +182,16 @@ mod cx_304 {
             manifolds[usize::from(manifold.is_orientable())] += 1;
         }
         assert!(manifolds.iter().all(|n| *n > 3), "{manifolds:?}");
+    }
+
+    #[test]
+    fn it_fails_with_a_klein_bottle_around_a_vertex() {
+        let scheme = paired(Polyhedron::tetrahedron(), &[(0, 1, 2, 1), (2, 3, 0, 1)]);
+        let gieseking = ClosedComplex::new(scheme).expect("no edge is reversed");
+        assert_eq!(gieseking.vertex_links(), [ClosedSurface::NonOrientable { crosscaps: 2 }]);
+        let chains = gieseking.chain_complex();
+        assert_eq!((chains.homology().betti, chains.betti_mod_2()), (vec![1, 0, 0, 0], vec![1, 0, 1, 1]));
+        assert_eq!(gieseking.euler_characteristic(), 1);
     }
 
     #[test]

@@ -155,10 +155,16 @@ mod cx_316 {
         let mut group = Relations::new();
         let [a, b] = [group.generator(), group.generator()];
         let twice = group.sum(a, a);
-        let six = { let four = group.sum(twice, twice); group.sum(four, twice) };
+        let six = {
+            let four = group.sum(twice, twice);
+            group.sum(four, twice)
+        };
         group.tell(six);
         group.tell(b);
-        let five = { let four = group.sum(twice, twice); group.sum(four, a) };
+        let five = {
+            let four = group.sum(twice, twice);
+            group.sum(four, a)
+        };
         assert_eq!(group.sum(five, a), 0);
         assert_ne!(group.sum(twice, a), 0);
         assert_eq!(group.group(), AbelianGroup { rank: 0, torsion: vec![Integer::from(6)] });
