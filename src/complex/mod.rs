@@ -5,16 +5,28 @@
 //! which every point has a neighbourhood like that of a point of space.
 
 pub mod barycentric;
+pub mod abelian;
 pub mod chain;
 pub mod check;
 pub mod closed_complex;
+pub mod euler;
 pub mod examples;
+pub mod finite_group;
 pub mod flag;
+pub mod fundamental_group;
+pub mod homology_fast;
+pub mod kuhn_torus;
 pub mod manifold;
+pub mod orientation;
 pub mod permutation;
 pub mod polyhedron;
 pub mod radial;
 pub mod refine;
+pub mod presentation;
+pub mod relations;
 pub mod scheme;
 pub mod tetrahedra;
+pub mod tietze;
 pub mod triangulation;
+pub mod triangulation_chain;
+pub mod triangulation_link;

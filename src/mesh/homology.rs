@@ -186,10 +186,12 @@ fn add(chain: &mut Chain, other: &Chain, factor: i64) {
 
 /// The elementary divisors d₁ | d₂ | … > 0 of an integer matrix, by its rows; as many as its rank.
 pub fn elementary_divisors(rows: &[Chain]) -> Vec<Integer> {
-    let mut rows: Vec<BTreeMap<usize, Integer>> = rows
-        .iter()
-        .map(|row| row.iter().filter(|(_, n)| **n != 0).map(|(j, n)| (*j, Integer::from(*n))).collect())
-        .collect();
+    divisors(rows.iter().map(|row| row.iter().map(|(j, n)| (*j, Integer::from(*n))).collect()).collect())
+}
+
+/// As [`elementary_divisors`], of integers of any size.
+pub fn divisors(mut rows: Vec<BTreeMap<usize, Integer>>) -> Vec<Integer> {
+    rows.iter_mut().for_each(|row| row.retain(|_, n| *n != 0));
     let mut diagonal: Vec<Integer> = Vec::new();
     // Smith's form: the entry of least size divides its row and column, or leaves a lesser remainder.
     while let Some((i, j)) = least_entry(&rows) {
