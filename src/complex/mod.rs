@@ -7,10 +7,16 @@
 pub mod chain;
 pub mod closed_complex;
 pub mod examples;
+pub mod facet_edge;
+pub mod facet_edge_map;
+pub mod facet_edge_sense;
 pub mod flag;
+pub mod glue_tetra;
+pub mod handle;
 pub mod manifold;
 pub mod permutation;
 pub mod polyhedron;
 pub mod scheme;
+pub mod splice;
 pub mod tetrahedra;
 pub mod triangulation;
