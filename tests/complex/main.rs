@@ -2,4 +2,7 @@
 
 mod facet_edge;
 mod facet_edge_samples;
+mod facet_edge_sense;
+mod glue_tetra;
 mod ground;
+mod splice;
