@@ -83,8 +83,8 @@ mod cx_123 {
     fn no_choice_of_spins_pairs_the_edges_of_a_complex_that_is_not_orientable() {
         let structures = closed(tetrahedron_gluings()).into_iter().filter(|complex| !complex.is_orientable());
         let structures: Vec<FacetEdgeStructure> = structures.map(|complex| FacetEdgeStructure::of(&complex)).collect();
-        assert!(!structures.is_empty());
-        for structure in structures.iter().take(if is_long() { usize::MAX } else { 6 }) {
+        assert_eq!(structures.len(), 12);
+        for structure in structures {
             for spins in 0..1_u32 << structure.len() {
                 let spun = |pair: u32| {
                     let a = Handle::base(pair);

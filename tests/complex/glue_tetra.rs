@@ -211,6 +211,39 @@ mod cx_118 {
     }
 
     #[test]
+    fn half_of_the_pairs_of_the_torus_are_left_over() {
+        let pairs = FacetEdgeStructure::of(&ClosedComplex::new(three_torus()).expect("closed"));
+        let mut separate = SeparateTetrahedra::of(&pairs);
+        pairs.gluings().into_iter().for_each(|a| separate.glue(a, pairs.fnext(a)).expect("free triangles"));
+        let left = separate.without_left_over();
+        assert_eq!([separate.structure().len(), separate.left_over().len(), left.len()], [144, 72, 72]);
+    }
+
+    #[test]
+    fn a_gluing_that_is_refused_at_a_later_side_is_undone() {
+        let mut refused = 0;
+        for scheme in tetrahedron_gluings() {
+            let mut structure = FacetEdgeStructure::default();
+            let faces = structure.add_polyhedron(&scheme.polyhedra[0]).expect("a ball");
+            for pairing in &scheme.pairings {
+                let [a, b] = [pairing.a, pairing.b].map(|id| &faces[id.face]);
+                let b = match pairing.dir {
+                    1 => b[pairing.shift as usize].spin(),
+                    _ => b[(pairing.shift as usize + 2) % 3].clock(),
+                };
+                let before = structure.clone();
+                if let Err(reason) = structure.glue_tetra(a[0], b) {
+                    assert!(matches!(reason, GlueError::Splice(SpliceError::Directions(..))));
+                    assert_eq!(structure, before);
+                    refused += 1;
+                }
+                assert_eq!(structure.defects(), []);
+            }
+        }
+        assert!(refused >= 108 - 39);
+    }
+
+    #[test]
     fn faces_that_do_not_match_are_refused_whole() {
         let mut structure = FacetEdgeStructure::default();
         let cube = structure.add_polyhedron(&Polyhedron::cube()).expect("a ball");

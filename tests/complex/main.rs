@@ -1,6 +1,7 @@
 //! Closed 3-complexes: each entry of spec/complex.md against a second derivation.
 
 mod facet_edge;
+mod facet_edge_map;
 mod facet_edge_samples;
 mod facet_edge_sense;
 mod glue_tetra;

@@ -356,14 +356,37 @@ mod cx_114 {
         }
     }
 
+    /// χ of the surfaces that bound the polyhedra, maps 0, 1, 2, or stand around the vertices, maps 1, 2, 3.
+    fn surfaces(structure: &FacetEdgeStructure, [i, j, k]: [usize; 3]) -> Vec<i64> {
+        let flags = structure.to_flags();
+        let (surface_of, surfaces) = flags.orbits(&[i, j, k]);
+        let mut chi = vec![0; surfaces];
+        for (maps, sign) in [([j, k], 1), ([i, k], -1), ([i, j], 1)] {
+            let (orbit_of, _) = flags.orbits(&maps);
+            let mut seen = BTreeSet::new();
+            for flag in flags.all().filter(|flag| seen.insert(orbit_of[flag.0 as usize])) {
+                chi[surface_of[flag.0 as usize] as usize] += sign;
+            }
+        }
+        chi
+    }
+
     #[test]
     fn a_splice_may_leave_the_manifolds() {
-        // Two spheres joined along an edge, the edge rings apart: χ of the closed complex is not 0 any more.
-        let mut structure = structure_of(three_torus());
-        let [a, b] = [Handle::base(0), structure.facet_ring(Handle::base(0))[1]];
-        assert_eq!(structure.splice_facets(a, b), Ok(Splice::Split));
-        let [v, e, f, p] = structure.counts().map(|n| n as i64);
-        assert_ne!(v - e + f - p, 0);
-        assert_eq!(structure.defects(), []);
+        let (polyhedra, vertices) = ([0, 1, 2], [1, 2, 3]);
+        let torus = structure_of(three_torus());
+        let a = Handle::base(0);
+        for b in &torus.facet_ring(a)[1..] {
+            let mut split = torus.clone();
+            assert_eq!(split.splice_facets(a, *b), Ok(Splice::Split));
+            assert_eq!(split.counts(), [1, 4, 3, 1]);
+            assert_eq!([surfaces(&split, polyhedra), surfaces(&split, vertices)], [vec![0], vec![2]]);
+            assert_eq!(split.defects(), []);
+        }
+        let mut lens = structure_of(lens_space(3, 1));
+        let b = lens.edge_ring(a)[1];
+        assert_eq!(lens.splice_edges(a, b), Ok(Splice::Split));
+        assert_eq!(lens.counts(), [1, 1, 2, 1]);
+        assert_eq!([surfaces(&lens, polyhedra), surfaces(&lens, vertices)], [vec![2], vec![0]]);
     }
 }
