@@ -8,6 +8,8 @@ pub mod chain;
 pub mod closed_complex;
 pub mod examples;
 pub mod flag;
+pub mod gluing_table;
+pub mod isosig;
 pub mod manifold;
 pub mod permutation;
 pub mod polyhedron;
