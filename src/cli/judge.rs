@@ -4,6 +4,7 @@ use super::progress;
 use clap::{Args, ValueEnum};
 use isoracle::answer::value::{self, InvalidField};
 use isoracle::judge::candidate::{Breakdown, Process};
+use isoracle::judge::complex::Complex;
 use isoracle::judge::html::{Section, page};
 use isoracle::judge::isosurface::Isosurface;
 use isoracle::judge::isosurface::place::Tolerance;
@@ -33,8 +34,8 @@ pub struct Judge {
     /// The seed of the random questions; the same seed asks the same ones.
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// How many random questions to ask of each group: pairs, grids, near-degenerate ones, ties; of each kind of defect, a
-    /// tenth as many.
+    /// How many random questions to ask of each group: pairs, grids, near-degenerate ones, ties; of each kind of mesh or
+    /// gluing scheme, a tenth as many.
     #[arg(long, value_name = "N", default_value_t = 200)]
     cases: usize,
     /// Seconds that an answer may take.
@@ -49,7 +50,7 @@ pub struct Judge {
     #[arg(long, value_name = "FOLDER")]
     report: Option<PathBuf>,
     /// Ask this one question instead of the suite, as a report quotes it: the `in` of an isosurface.mesh question, or
-    /// {"op":…,"in":…} of the suite mesh.
+    /// {"op":…,"in":…} of the other suites.
     #[arg(long, value_name = "JSON")]
     question: Option<String>,
     /// The candidate: a program and its arguments.
@@ -71,6 +72,8 @@ enum Suite {
     Isosurface,
     /// Polygon meshes: what is wrong with them, their planes, their angle deficits.
     Mesh,
+    /// Gluing schemes of 3-manifolds: whether they are some, their cells, homology, tetrahedra, refinements.
+    Complex,
 }
 
 #[derive(Debug, Error, Diagnostic)]
@@ -99,6 +102,7 @@ impl Judge {
         match self.suite {
             Suite::Isosurface => self.run_suite(&Isosurface { seed: self.seed, cases: self.cases, tolerance }),
             Suite::Mesh => self.run_suite(&Mesh { seed: self.seed, cases: self.cases.div_ceil(10), tolerance }),
+            Suite::Complex => self.run_suite(&Complex { seed: self.seed, cases: self.cases.div_ceil(10) }),
         }
     }
 

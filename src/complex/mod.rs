@@ -22,6 +22,8 @@ pub mod facet_edge_sense;
 pub mod flag;
 pub mod glue_tetra;
 pub mod handle;
+pub mod gluing_table;
+pub mod isosig;
 pub mod manifold;
 pub mod orientation;
 pub mod permutation;

@@ -1,6 +1,7 @@
 //! The harness that judges a candidate against the oracle.
 
 pub mod candidate;
+pub mod complex;
 pub mod html;
 pub mod isosurface;
 pub mod junit;

@@ -1,0 +1,170 @@
+//! The suite `complex`: gluing schemes of closed 3-manifolds and of what is none, and refinements of them.
+
+mod bases;
+mod compare;
+mod disguise;
+mod plant;
+pub mod questions;
+mod smaller;
+
+pub use disguise::disguised;
+
+use super::candidate::{Candidate, Reply};
+use super::report::{Difference, Failure, PositionError, QuestionRecord};
+use super::suite::{Judgement, Suite};
+use crate::answer;
+use crate::answer::value::{InvalidField, Object};
+use crate::complex::closed_complex::ClosedComplex;
+use crate::complex::manifold::Manifold3;
+use crate::complex::scheme::{GluingScheme, Reason, SchemeDefect};
+use compare::Fault;
+use questions::{Question, Row, questions};
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+
+/// The suite, with how to run it.
+#[derive(Clone, Copy, Debug)]
+pub struct Complex {
+    /// The seed of the random questions.
+    pub seed: u64,
+    /// How many questions of each row.
+    pub cases: usize,
+}
+
+/// What shows that an answer is wrong: the weightiest first.
+#[derive(Clone, Debug)]
+pub struct Evidence(Vec<Fault>);
+
+/// The kinds of error that a scheme may be refused with that is no manifold.
+const REFUSALS: [&str; 2] = ["invalid-input", "degenerate"];
+
+impl Complex {
+    fn judge(&self, question: &Question, reply: Reply) -> Judgement<Evidence> {
+        let (faults, left_out) = match (truth(question), reply) {
+            (_, Reply::Broken(breakdown)) => return Judgement::Broken(breakdown),
+            (_, Reply::Unsupported(why)) => return Judgement::Unsupported(why),
+            (_, Reply::Error { kind, message }) if kind == "limit" => return Judgement::Unsupported(message),
+            // Whether a scheme is ill-posed or only no manifold is told apart by the reasons of `complex.glue`.
+            (Err(_), Reply::Error { kind, .. }) if REFUSALS.contains(&&kind[..]) => return Judgement::right(),
+            (Err(kind), Reply::Error { kind: found, message }) => {
+                (vec![Fault::refused(kind, &format!("{found}: {message}"))], Vec::new())
+            }
+            (Err(kind), Reply::Out(out)) => (vec![Fault::answered(kind, &out)], Vec::new()),
+            (Ok(truth), Reply::Error { kind, message }) => {
+                if kind == "invalid-input" && is_ill_posed(&truth) {
+                    return Judgement::right();
+                }
+                (vec![Fault::refused("an answer", &format!("{kind}: {message}"))], Vec::new())
+            }
+            (Ok(truth), Reply::Out(out)) => compare::compare(question.operation(), &truth, &out),
+        };
+        match faults.first().map(|fault| fault.name) {
+            None => Judgement::Right { error: PositionError::default(), left_out },
+            Some(fault) => Judgement::Wrong { fault, error: PositionError::default(), evidence: Evidence(faults) },
+        }
+    }
+}
+
+/// Whether the truth is that the scheme is no scheme at all: nothing can be glued.
+fn is_ill_posed(truth: &Value) -> bool {
+    let glued = ["edge-reversed", "vertex-link"];
+    truth["valid"] == false && !compare::reasons(truth).iter().any(|reason| glued.contains(reason))
+}
+
+/// The oracle's answer, or the kind of error that the question is.
+fn truth(question: &Question) -> Result<Value, &'static str> {
+    let Value::Object(input) = question.input() else { unreachable!("a question's `in` is an object") };
+    match answer::out(question.operation(), &input) {
+        Ok(out) => Ok(out.value()),
+        Err(refusal) => Err(refusal.kind().map_or("unsupported", |kind| kind.name())),
+    }
+}
+
+/// Whether the oracle refines.
+fn has_refine() -> bool {
+    answer::OPERATIONS.iter().any(|(name, _)| *name == "complex.refine")
+}
+
+/// The reasons for which a scheme is no manifold, none iff it is one.
+fn reasons(scheme: &GluingScheme) -> BTreeSet<Reason> {
+    let manifold = ClosedComplex::new(scheme.clone()).and_then(Manifold3::of);
+    manifold.err().unwrap_or_default().iter().map(SchemeDefect::reason).collect()
+}
+
+impl Suite for Complex {
+    type Question = Question;
+    type Evidence = Evidence;
+
+    fn name(&self) -> &'static str {
+        "complex"
+    }
+
+    fn operations(&self) -> &'static [&'static str] {
+        &["complex.glue", "complex.refine"]
+    }
+
+    fn rows(&self) -> [Vec<String>; 2] {
+        let names = |rows: &[Row]| rows.iter().map(|row| row.name().to_owned()).collect();
+        [names(&Row::CASES), names(&Row::groups())]
+    }
+
+    fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    fn questions(&self) -> Vec<Question> {
+        questions(self.seed, self.cases)
+    }
+
+    fn row(&self, question: &Question) -> String {
+        question.row.name().to_owned()
+    }
+
+    fn ask(&self, candidate: &mut dyn Candidate, question: &Question) -> Judgement<Evidence> {
+        let reply = candidate.ask(question.operation(), &question.input());
+        self.judge(question, reply)
+    }
+
+    fn answer(&self, question: &Question) {
+        let own = truth(question);
+        debug_assert!(own != Err("unsupported"));
+    }
+
+    fn size(&self, question: &Question) -> impl Ord {
+        smaller::size(question)
+    }
+
+    fn smaller(&self, question: &Question) -> impl Iterator<Item = Question> {
+        smaller::smaller(question)
+    }
+
+    fn failure(&self, question: &Question, evidence: Option<Evidence>) -> Failure {
+        let faults = evidence.map_or(Vec::new(), |evidence| evidence.0);
+        Failure {
+            row: String::new(),
+            case: question.row.name().to_owned(),
+            fault: String::new(),
+            formula: faults.first().map_or("", |fault| fault.formula).to_owned(),
+            messages: faults.iter().take(8).map(|fault| fault.message.clone()).collect(),
+            question: QuestionRecord::Other { op: question.operation().to_owned(), input: question.input() },
+            differences: faults.into_iter().take(4).map(Fault::difference).collect(),
+            expected: None,
+            found: None,
+            command: String::new(),
+        }
+    }
+
+    fn text(&self, question: &Question) -> Value {
+        json!({"op": question.operation(), "in": question.input()})
+    }
+
+    fn parse(&self, text: &Object) -> Result<Question, InvalidField> {
+        Question::parse(text)
+    }
+}
+
+impl Fault {
+    fn difference(self) -> Difference {
+        Difference { invariant: self.invariant, expected: self.expected, found: self.found }
+    }
+}
