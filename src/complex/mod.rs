@@ -4,33 +4,32 @@
 //! [`ClosedComplex`](closed_complex::ClosedComplex) one whose cells are cells, a [`Manifold3`](manifold::Manifold3) one in
 //! which every point has a neighbourhood like that of a point of space.
 
-pub mod barycentric;
 pub mod abelian;
+pub mod barycentric;
 pub mod chain;
 pub mod check;
 pub mod closed_complex;
 pub mod euler;
 pub mod examples;
-pub mod finite_group;
-pub mod flag;
-pub mod fundamental_group;
-pub mod homology_fast;
-pub mod kuhn_torus;
 pub mod facet_edge;
 pub mod facet_edge_map;
 pub mod facet_edge_sense;
+pub mod finite_group;
 pub mod flag;
+pub mod fundamental_group;
 pub mod glue_tetra;
-pub mod handle;
 pub mod gluing_table;
+pub mod handle;
+pub mod homology_fast;
 pub mod isosig;
+pub mod kuhn_torus;
 pub mod manifold;
 pub mod orientation;
 pub mod permutation;
 pub mod polyhedron;
+pub mod presentation;
 pub mod radial;
 pub mod refine;
-pub mod presentation;
 pub mod relations;
 pub mod scheme;
 pub mod splice;
