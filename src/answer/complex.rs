@@ -45,17 +45,21 @@ pub fn scheme(input: &Object) -> Result<GluingScheme, InvalidField> {
 ///
 /// Ill-posed: a field of another type.
 pub fn glue(input: &Object) -> Result<Out, Refusal> {
-    let scheme = scheme(input)?;
+    Ok(Out::new(&report(scheme(input)?)))
+}
+
+/// What `complex.glue` answers about a scheme.
+pub fn report(scheme: GluingScheme) -> Object {
     let complex = match ClosedComplex::new(scheme) {
         Ok(complex) => complex,
-        Err(defects) => return Ok(Out::new(&invalid(&defects))),
+        Err(defects) => return invalid(&defects),
     };
     let mut out = numbers(&complex);
     match Manifold3::of(complex) {
         Ok(_) => {}
         Err(defects) => out.extend(invalid(&defects)),
     }
-    Ok(Out::new(&out))
+    out
 }
 
 fn invalid(defects: &[SchemeDefect]) -> Object {

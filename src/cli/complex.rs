@@ -1,0 +1,286 @@
+//! `isoracle complex`.
+
+use super::complex_page::Page;
+use super::progress;
+use clap::{Args, value_parser};
+use isoracle::answer::scheme_file::{self, SchemeFileError};
+use isoracle::complex::closed_complex::ClosedComplex;
+use isoracle::complex::gluing_table::GluingTable;
+use isoracle::complex::isosig;
+use isoracle::complex::manifold::Manifold3;
+use isoracle::complex::refine::{RefineError, fast};
+use isoracle::complex::scheme::GluingScheme;
+use isoracle::complex::triangulation::Triangulation;
+use isoracle::complex::zoo;
+use isoracle::format::{self, FormatError};
+use miette::Diagnostic;
+use std::ffi::OsStr;
+use std::fs;
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use thiserror::Error;
+
+/// Glue polyhedra face to face: every invariant of the closed 3-manifold, or the reason why it is none.
+///
+/// A scheme is polyhedra by their edges and faces, and which faces are glued how. Its space is cut into topological tetrahedra, one
+/// for each pair of a face and an edge of it, and these into k³ each.
+#[derive(Args)]
+#[command(after_help = AFTER_HELP)]
+pub struct Complex {
+    /// A file, as text or as the JSON of `complex.glue`; `-` for stdin; or the name of an example, which `--list` shows.
+    #[arg(value_name = "SCHEME", required_unless_present = "list")]
+    scheme: Option<String>,
+    /// List the examples by name, with the space and its H₁.
+    #[arg(long)]
+    list: bool,
+    /// Cut each topological tetrahedron into K³.
+    #[arg(long, value_name = "K", value_parser = value_parser!(u32).range(1..))]
+    refine: Option<u32>,
+    /// Write JSON in the protocol's terms: what `complex.glue` answers, and more.
+    #[arg(long)]
+    json: bool,
+    /// Where to write the tetrahedra: .tri (SnapPea), .isosig, .gluings (a table), .scheme (the scheme itself as text); placed in space
+    /// with --realise: .ply .vtu .gltf .msh .svg .html.
+    #[arg(long, value_name = "FILE", value_parser = out_path)]
+    out: Option<PathBuf>,
+    /// Place the vertices in ℝ⁴ so that edges are alike and little is bent, and project them to ℝ³.
+    #[arg(long, requires = "out")]
+    realise: bool,
+    /// The dimension that vertices are placed in.
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = value_parser!(u32).range(3..=6), requires = "realise")]
+    dimension: u32,
+    /// What chooses among equally good starts; the same seed gives the same result.
+    #[arg(long, value_name = "N", default_value_t = 1, requires = "realise")]
+    seed: u64,
+    /// The most steps of the minimisation.
+    #[arg(long, value_name = "N", default_value_t = 300, requires = "realise")]
+    iterations: usize,
+}
+
+const AFTER_HELP: &str = "\
+Exit codes: 0 a closed 3-manifold, 1 none, for the reasons given, 2 the file or the command line cannot be used.
+
+Examples:
+  $ isoracle complex --list
+  $ isoracle complex T3 --refine 4
+  $ isoracle complex scheme.txt --json | jq .homology.h1
+  $ isoracle complex T3 --out torus.isosig
+  $ isoracle complex T3 --refine 6 --realise --out torus.html";
+
+#[derive(Debug, Error, Diagnostic)]
+enum Failure {
+    #[error("{name}: {error}")]
+    #[diagnostic(help("a scheme is a file, or the name of an example; `isoracle complex --list` shows them"))]
+    NoSuchScheme { name: String, error: io::Error },
+    #[error("{name}: {error}")]
+    #[diagnostic(help("`isoracle complex T3 --out t3.scheme` writes an example of the format"))]
+    Unreadable { name: String, error: SchemeFileError },
+    #[error("--refine: {0}")]
+    #[diagnostic(help("each of the t topological tetrahedra is cut into K³"))]
+    Refine(RefineError),
+    #[error("--realise: {0}")]
+    #[diagnostic(help("the vertices could not be placed"))]
+    Realise(RealiseError),
+    #[error("--out: {0}")]
+    #[diagnostic(help("the file could not be written"))]
+    Out(FormatError),
+    #[error("--out: {}: {error}", .path.display())]
+    #[diagnostic(help("the file could not be written"))]
+    Write { path: PathBuf, error: io::Error },
+    #[error("--out: {}: a {} file shows the tetrahedra placed in space", .path.display(), .extension)]
+    #[diagnostic(help("add --realise; .tri, .isosig, .gluings and .scheme need no places"))]
+    NotPlaced { path: PathBuf, extension: &'static str },
+    #[error("--out: {}: a {} file has no places", .path.display(), .extension)]
+    #[diagnostic(help("--realise writes .ply, .vtu, .gltf, .msh, .svg or .html"))]
+    Placed { path: PathBuf, extension: &'static str },
+    #[error("--out: {tetrahedra} tetrahedra are too many for a signature, which takes the square of their number in steps")]
+    #[diagnostic(help("at most 2,000; .gluings and .tri have no limit"))]
+    TooManyToSign { tetrahedra: usize },
+}
+
+/// The most tetrahedra of which a signature is written.
+const MAX_SIGNED: usize = 2_000;
+
+/// The files that `--out` writes.
+const COMBINATORIAL: [&str; 4] = ["tri", "isosig", "gluings", "scheme"];
+const PLACED: [&str; 6] = ["ply", "vtu", "gltf", "msh", "svg", "html"];
+
+impl Complex {
+    pub fn run(self) -> miette::Result<ExitCode> {
+        if self.list {
+            return super::to_stdout(list(io::stdout().lock()));
+        }
+        let name = self.scheme.as_deref().expect("it is required without --list");
+        self.check_out()?;
+        let specimen = if Path::new(name).exists() { None } else { zoo::get(name) };
+        let scheme = match &specimen {
+            Some(specimen) => specimen.scheme.clone(),
+            None => read(name)?,
+        };
+        let mut page = Page::of(name.to_owned(), specimen, scheme);
+        if page.defects.is_empty() {
+            self.refine(&mut page)?;
+        }
+        let sound = page.defects.is_empty();
+        super::to_stdout(self.write(&page))?;
+        if !sound && self.out.is_some() {
+            eprintln!("nothing was written: there is no 3-manifold");
+        }
+        Ok(if sound { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    }
+
+    fn write(&self, page: &Page) -> io::Result<()> {
+        let mut out = io::BufWriter::new(io::stdout().lock());
+        if self.json {
+            serde_json::to_writer(&mut out, &page.json())?;
+            writeln!(out)?;
+        } else {
+            page.write_text(&mut out)?;
+        }
+        out.flush()
+    }
+
+    /// What is told about `--out` before the work begins.
+    fn check_out(&self) -> Result<(), Failure> {
+        let Some(path) = self.out.clone() else { return Ok(()) };
+        let known = |names: &[&'static str]| names.iter().copied().find(|name| *name == extension(&path));
+        match (known(&PLACED), known(&COMBINATORIAL), self.realise) {
+            (Some(extension), _, false) => Err(Failure::NotPlaced { path, extension }),
+            (_, Some(extension), true) => Err(Failure::Placed { path, extension }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Refines the manifold on the page, writes what is asked for, and puts down what came of it.
+    fn refine(&self, page: &mut Page) -> Result<(), Failure> {
+        let Some(complex) = &page.complex else { return Ok(()) };
+        let spinner = progress::spinner("refining".to_owned());
+        let refined = fast::refine(&complex.tetrahedra(), self.refine.unwrap_or(1)).map_err(Failure::Refine)?;
+        if let Some(order) = self.refine {
+            spinner.set_message("counting");
+            page.refinement = Some((order, check::fast::check(refined.triangulation())));
+        }
+        if let Some(path) = &self.out {
+            if self.realise {
+                spinner.set_message("placing the vertices");
+                let realised = self.realised(&refined)?;
+                picture::write(path, &realised, &paint(&page.name, complex, &refined)).map_err(Failure::Out)?;
+                page.more.push(realisation(&realised));
+            } else {
+                self.write_combinatorial(path, page, refined.triangulation())?;
+            }
+        }
+        spinner.finish_and_clear();
+        Ok(())
+    }
+
+    fn realised(&self, refined: &Refinement) -> Result<Realised, Failure> {
+        let options = Options {
+            dimension: self.dimension as usize,
+            seed: self.seed,
+            iterations: self.iterations,
+            ..Options::default()
+        };
+        realise::realise(&TetrahedralMesh::of(refined.triangulation()), &options).map_err(Failure::Realise)
+    }
+
+    fn write_combinatorial(&self, path: &Path, page: &Page, triangulation: &Triangulation) -> Result<(), Failure> {
+        let write = |text: String| {
+            fs::write(path, text).map_err(|error| Failure::Write { path: path.to_owned(), error })
+        };
+        match extension(path).as_str() {
+            "isosig" if triangulation.len() > MAX_SIGNED => {
+                Err(Failure::TooManyToSign { tetrahedra: triangulation.len() })
+            }
+            "isosig" => write(isosig::signature(triangulation) + "\n"),
+            "gluings" => write(GluingTable(triangulation).to_string()),
+            "scheme" => write(scheme_file::write(&page.scheme)),
+            _ => {
+                let record = SnapPeaRecord::of_rows(&page.name, triangulation.rows());
+                let mut bytes = Vec::new();
+                snappea::write(&mut bytes, &record).expect("memory can be written");
+                write(String::from_utf8(bytes).expect("the format is text"))
+            }
+        }
+    }
+}
+
+/// A name, the space, H₁.
+fn list(mut out: impl Write) -> io::Result<()> {
+    for specimen in zoo::names().into_iter().filter_map(zoo::get) {
+        let sides = if specimen.orientable { "orientable" } else { "not orientable" };
+        writeln!(out, "{:<28} {}; {sides}, H₁ = {}", specimen.name, specimen.space, specimen.h1)?;
+    }
+    out.flush()
+}
+
+fn read(name: &str) -> Result<GluingScheme, Failure> {
+    let mut bytes = Vec::new();
+    match name {
+        "-" => io::stdin().lock().read_to_end(&mut bytes).map(drop),
+        _ => fs::read(name).map(|read| bytes = read),
+    }
+    .map_err(|error| Failure::NoSuchScheme { name: name.to_owned(), error })?;
+    scheme_file::read(&bytes).map_err(|error| Failure::Unreadable { name: name.to_owned(), error })
+}
+
+/// Tetrahedra coloured by the edge that they stand around, the edges themselves drawn as lines.
+fn paint(name: &str, complex: &ClosedComplex, refined: &Refinement) -> Paint {
+    let k = refined.order();
+    let flags = complex.tetrahedron_flags();
+    let edges: Vec<u32> = flags.iter().map(|flag| complex.cell(1, *flag)).collect();
+    let small = (k as usize).pow(3);
+    let point = |tetrahedron: usize, i: u32| {
+        refined.vertex(tetrahedron, [k - i, i, 0, 0]).expect("a point of the edge")
+    };
+    let lines = (0..flags.len()).flat_map(|t| (0..k).map(move |i| [point(t, i), point(t, i + 1)]));
+    Paint {
+        title: format!("{name}, refined to order {k}"),
+        groups: edges.iter().flat_map(|edge| std::iter::repeat_n(*edge, small)).collect(),
+        names: (1..=complex.counts()[1]).map(|edge| format!("around edge {edge}")).collect(),
+        lines: lines.collect::<BTreeSet<_>>().into_iter().collect(),
+    }
+}
+
+/// What the placement is, as a line of text and as JSON.
+fn realisation(realised: &Realised) -> (String, Value) {
+    let (n, lengths) = (realised.points.dimension(), realised.lengths);
+    let [first, last] = [realised.energies.first(), realised.energies.last()].map(|e| e.copied().unwrap_or(0.0));
+    let pairs = realised.intersections.pairs;
+    let embedded = match realised.intersections.is_embedded() {
+        true => "embedded: no two simplices meet but in common ones".to_owned(),
+        false => format!("not embedded: {pairs} pairs of simplices without a common vertex meet"),
+    };
+    let text = format!(
+        "placed in ℝ^{n}\n  energy                 {first:.4} to {last:.4} in {} steps\n  lengths of edges       {:.3} to {:.3}, mean {:.3}\n  {embedded}",
+        realised.energies.len().saturating_sub(1),
+        lengths.min,
+        lengths.max,
+        lengths.mean,
+    );
+    let json = json!({"realisation": {
+        "dimension": n,
+        "energy": [first, last],
+        "steps": realised.energies.len().saturating_sub(1),
+        "lengths": {"min": lengths.min, "mean": lengths.mean, "max": lengths.max},
+        "embedded": realised.intersections.is_embedded(),
+        "intersecting_pairs": pairs,
+    }});
+    (text, json)
+}
+
+#[derive(Debug, Error)]
+#[error("tetrahedra are written as .tri, .isosig or .gluings, a scheme as .scheme, and with --realise as .ply, .vtu, .gltf, .msh, .svg or .html")]
+struct NotAnOutput;
+
+/// The extension is checked before the work begins.
+fn out_path(text: &str) -> Result<PathBuf, NotAnOutput> {
+    let path = PathBuf::from(text);
+    let known = COMBINATORIAL.iter().chain(&PLACED).any(|known| *known == extension(&path));
+    if known { Ok(path) } else { Err(NotAnOutput) }
+}
+
+fn extension(path: &Path) -> String {
+    path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default()
+}
