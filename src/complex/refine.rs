@@ -7,6 +7,7 @@ pub mod simplicial;
 use super::closed_complex::ClosedComplex;
 use super::permutation::Perm4;
 use super::triangulation::{TriangleGluing, Triangulation};
+use crate::number::Integer;
 use crate::partition::Partition;
 use std::collections::BTreeMap;
 use thiserror::Error;
@@ -188,6 +189,13 @@ pub fn moved(point: LatticePoint, corners: Perm4) -> LatticePoint {
     let mut image = [0; 4];
     (0..4).for_each(|i| image[corners.image(i)] = point[i]);
     image
+}
+
+/// (n, n², …, n⁷): the place of vertex n on the moment curve. Eight vertices are never in one hyperplane of ℝ⁷, so that the straight
+/// simplices of a simplicial complex of dimension 3 meet in their common vertices only (CX-223).
+#[doc(alias = "CX-223")]
+pub fn moment_point(vertex: u32) -> [Integer; 7] {
+    std::array::from_fn(|i| Integer::from(Integer::u_pow_u(vertex, i as u32 + 1)))
 }
 
 fn sorted_triangle(corners: &[LatticePoint; 4], opposite: usize) -> [LatticePoint; 3] {
