@@ -121,7 +121,8 @@ pub fn refine(base: &Triangulation, order: u32) -> Result<Refinement, RefineErro
         let mut images = [other_triangle as u8; 4];
         for i in (0..4).filter(|i| *i != triangle) {
             let point = moved(small[j][i], map);
-            images[i] = small[other_j].iter().position(|p| *p == point).expect("the triangles have the same points") as u8;
+            images[i] =
+                small[other_j].iter().position(|p| *p == point).expect("the triangles have the same points") as u8;
         }
         let corners = Perm4::new(images).expect("three corners and the fourth");
         TriangleGluing { tetrahedron: (other * small.len() + other_j) as u32, corners }
@@ -130,7 +131,13 @@ pub fn refine(base: &Triangulation, order: u32) -> Result<Refinement, RefineErro
     let gluings = all.map(|(i, j)| [0, 1, 2, 3].map(|triangle| gluing(i, j, triangle))).collect();
     let triangulation = Triangulation::new(gluings).expect("what is glued to a triangle is glued back");
     let (numbers, vertex_count) = classes(base, order);
-    Ok(Refinement { order, triangulation, vertices: corner_numbers(base.len(), &small, order, &numbers), numbers, vertex_count })
+    Ok(Refinement {
+        order,
+        triangulation,
+        vertices: corner_numbers(base.len(), &small, order, &numbers),
+        numbers,
+        vertex_count,
+    })
 }
 
 /// The tetrahedra that a tetrahedron is cut into, by the lattice points at their corners; e_i is a unit of coordinate i.
@@ -153,7 +160,8 @@ pub fn small_tetrahedra(order: u32) -> Vec<[LatticePoint; 4]> {
     let quarter = |q, c: usize| {
         let (d, [a, b]) = partners(c);
         let mut corners = [q; 4];
-        (corners[c], corners[d], corners[a], corners[b]) = (with(q, &[a, b]), with(q, &[c, d]), with(q, &[c, a]), with(q, &[c, b]));
+        (corners[c], corners[d], corners[a], corners[b]) =
+            (with(q, &[a, b]), with(q, &[c, d]), with(q, &[c, a]), with(q, &[c, b]));
         corners
     };
     let inverted = |r: LatticePoint| [0, 1, 2, 3].map(|i| [0, 1, 2, 3].map(|j| r[j] + u32::from(i != j)));

@@ -90,7 +90,12 @@ pub fn torus_of_cubes(n: usize) -> GluingScheme {
         let [x, y, z] = [place / n / n, place / n % n, place % n];
         // As in the 3-torus: top on the next bottom, back on the next front, left on the next right.
         let steps = [([x, y, z + 1], 0, 1, 3), ([x, y + 1, z], 2, 4, 1), ([x + 1, y, z], 3, 5, 1)];
-        pairings.extend(steps.map(|(next, a, b, shift)| Pairing { a: face(at(next), a), b: face(place, b), shift, dir: -1 }));
+        pairings.extend(steps.map(|(next, a, b, shift)| Pairing {
+            a: face(at(next), a),
+            b: face(place, b),
+            shift,
+            dir: -1,
+        }));
     }
     GluingScheme { polyhedra: vec![Polyhedron::cube(); n.pow(3)], pairings }
 }
@@ -152,7 +157,8 @@ pub fn rings(triangulation: &Triangulation, edge: usize) -> BTreeMap<u32, usize>
 /// Every way to glue the triangles of one tetrahedron in twos, whatever corners meet: 108.
 pub fn all_gluings_of_one() -> Vec<Triangulation> {
     let orders: Vec<Perm4> = Perm4::all().collect();
-    let maps = |from: usize, to: usize| -> Vec<Perm4> { orders.iter().copied().filter(|p| p.image(from) == to).collect() };
+    let maps =
+        |from: usize, to: usize| -> Vec<Perm4> { orders.iter().copied().filter(|p| p.image(from) == to).collect() };
     let mut all = Vec::new();
     for matching in matchings(&[0, 1, 2, 3]) {
         let [[a, b], [c, d]] = [matching[0], matching[1]];

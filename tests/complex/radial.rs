@@ -45,7 +45,8 @@ mod cx_210 {
     fn it_happens_around_the_dual_edge_alone() {
         let base = tetrahedra(doubled(Polyhedron::lens(1)));
         assert!(rings(&base, 0).values().all(|n| *n == 2), "as printed, no pair is its own next around an edge");
-        let itself = base.gluings().iter().enumerate().filter(|(i, row)| row.iter().any(|g| g.tetrahedron as usize == *i));
+        let itself =
+            base.gluings().iter().enumerate().filter(|(i, row)| row.iter().any(|g| g.tetrahedron as usize == *i));
         assert_eq!(itself.count(), 2);
     }
 }
@@ -63,7 +64,8 @@ mod cx_211 {
         let chi = |[v, e, f, t]: [usize; 4]| v as i64 - e as i64 + f as i64 - t as i64;
         assert_eq!(chi(f.counts), chi(g.counts));
         let links = |facts: &isoracle::complex::check::Facts| {
-            let mut links: Vec<String> = facts.defects.iter().map(|d| d.to_string().split(" stands ").last().unwrap_or("").to_owned()).collect();
+            let mut links: Vec<String> =
+                facts.defects.iter().map(|d| d.to_string().split(" stands ").last().unwrap_or("").to_owned()).collect();
             links.sort();
             links
         };
@@ -175,7 +177,11 @@ mod cx_213 {
             assert!([[0, 1], [2, 3]].iter().all(|edge| !is_glued_to_itself_around(&after.triangulation, *edge)));
             let small = |t: &Triangulation, edge| rings(t, edge).values().any(|n| *n < 3);
             assert!(!small(&after.triangulation, 0) && !small(&after.triangulation, 5));
-            assert_eq!(after.triangulation == base, !small(&base, 0) && !small(&base, 5), "others are left as they are");
+            assert_eq!(
+                after.triangulation == base,
+                !small(&base, 0) && !small(&base, 5),
+                "others are left as they are"
+            );
             cut += usize::from(after.triangulation != base);
         }
         assert!(cut > 100, "{cut}");
@@ -187,7 +193,10 @@ mod cx_213 {
             for q in 0..p {
                 let after = radial(&tetrahedra(lens_space(p, q))).expect("paired").triangulation;
                 for k in 4..=5 {
-                    assert!(check(refine(&after, k).expect("small").triangulation()).vertex_sets.simplicial, "L({p}, {q}), k = {k}");
+                    assert!(
+                        check(refine(&after, k).expect("small").triangulation()).vertex_sets.simplicial,
+                        "L({p}, {q}), k = {k}"
+                    );
                 }
             }
         }

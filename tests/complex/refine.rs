@@ -1,13 +1,17 @@
 //! Refinement of order k: the small tetrahedra, their numbers, and the fast twin.
 
-use super::gluings::{all_complexes, all_gluings, all_gluings_of_one, all_schemes, doubled, examples, scheme_of, zipped_bigon};
+use super::gluings::{
+    all_complexes, all_gluings, all_gluings_of_one, all_schemes, doubled, examples, scheme_of, zipped_bigon,
+};
 use isoracle::complex::check::{self, check};
 use isoracle::complex::closed_complex::ClosedComplex;
 use isoracle::complex::examples::{lens_space, three_torus};
 use isoracle::complex::manifold::Manifold3;
 use isoracle::complex::permutation::Perm4;
 use isoracle::complex::refine::counts::{counts, most_vertices_and_polyhedra, printed_counts, printed_edges_hold};
-use isoracle::complex::refine::{LatticePoint, RefineError, fast, lattice_points, points_of_order, rank, refine, small_tetrahedra};
+use isoracle::complex::refine::{
+    LatticePoint, RefineError, fast, lattice_points, points_of_order, rank, refine, small_tetrahedra,
+};
 use isoracle::complex::scheme::Polyhedron;
 use isoracle::complex::triangulation::{TriangleGluing, Triangulation};
 use std::collections::{BTreeMap, BTreeSet};
@@ -69,8 +73,10 @@ mod cx_214 {
         for k in 1..=8 {
             for corners in small_tetrahedra(k) {
                 assert!(corners.iter().all(|p| p.iter().sum::<u32>() == k));
-                let [a, b, c] = [1, 2, 3].map(|i| [1, 2, 3].map(|j| i64::from(corners[i][j]) - i64::from(corners[0][j])));
-                let volume = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+                let [a, b, c] =
+                    [1, 2, 3].map(|i| [1, 2, 3].map(|j| i64::from(corners[i][j]) - i64::from(corners[0][j])));
+                let volume = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                    + a[2] * (b[0] * c[1] - b[1] * c[0]);
                 assert_eq!(volume.abs(), 1, "1/k³ of the whole");
             }
         }
@@ -147,7 +153,8 @@ mod cx_217 {
         // The table of lattice points says the same as the corners.
         let small = small_tetrahedra(k);
         for refined in [&plain, &quick] {
-            let by_table = |i: usize| small[i % small.len()].map(|p| refined.vertex(i / small.len(), p).expect("a point"));
+            let by_table =
+                |i: usize| small[i % small.len()].map(|p| refined.vertex(i / small.len(), p).expect("a point"));
             assert!((0..refined.vertices().len()).all(|i| refined.vertices()[i] == by_table(i)));
         }
     }
@@ -168,7 +175,9 @@ mod cx_217 {
     #[test]
     fn the_space_is_the_same() {
         for base in (1..=2).flat_map(all_gluings).step_by(2).filter(super::super::gluings::has_edges) {
-            let homology = |t: &Triangulation| ClosedComplex::new(scheme_of(t)).expect("edges are edges").chain_complex().homology();
+            let homology = |t: &Triangulation| {
+                ClosedComplex::new(scheme_of(t)).expect("edges are edges").chain_complex().homology()
+            };
             let before = check(&base);
             for k in 2..=3 {
                 let refined = refine(&base, k).expect("small");
@@ -235,7 +244,8 @@ mod cx_218 {
     fn vertices_and_edges_are_as_many_as_are_counted() {
         let not_manifolds = all_complexes(&Polyhedron::cube()).step_by(211);
         let mut characteristics = BTreeSet::new();
-        for complex in examples().into_iter().map(|(_, c)| c).filter(|c| c.facet_edge_pairs() < 40).chain(not_manifolds) {
+        for complex in examples().into_iter().map(|(_, c)| c).filter(|c| c.facet_edge_pairs() < 40).chain(not_manifolds)
+        {
             let [v, _, _, p] = complex.counts();
             let chi = complex.euler_characteristic();
             characteristics.insert(chi);
@@ -243,7 +253,11 @@ mod cx_218 {
                 let expected = counts((v + p) as u64, complex.facet_edge_pairs() as u64, chi, k);
                 if complex.facet_edge_pairs() as u64 * k.pow(3) < 3000 {
                     let refined = fast::refine(&complex.tetrahedra(), k as u32).expect("small");
-                    assert_eq!(check::fast::check(refined.triangulation()).counts.map(|n| n as i128), expected, "k = {k}");
+                    assert_eq!(
+                        check::fast::check(refined.triangulation()).counts.map(|n| n as i128),
+                        expected,
+                        "k = {k}"
+                    );
                 }
                 // By cells: k − 1 points inside an edge, (k−1 over 2) inside a triangle, (k−1 over 3) inside a tetrahedron.
                 let [v, e, f, t] = complex.tetrahedra().skeleton().counts.map(|n| n as i128);
@@ -282,7 +296,11 @@ mod cx_220 {
     fn printed_edges_are_right_where_the_condition_says() {
         for (x, t, k) in (2..80).flat_map(|x| (1..60).flat_map(move |t| (1..40).map(move |k| (x, t, k)))) {
             let [printed, ..] = printed_counts(t, k);
-            assert_eq!(counts(x, t, 0, k)[1] == printed as i128, printed_edges_hold(x, t, k), "V + P = {x}, t = {t}, k = {k}");
+            assert_eq!(
+                counts(x, t, 0, k)[1] == printed as i128,
+                printed_edges_hold(x, t, k),
+                "V + P = {x}, t = {t}, k = {k}"
+            );
         }
     }
 
@@ -308,7 +326,8 @@ mod cx_220 {
         }
         assert_eq!(found, [(1, 0, 1), (1, 0, 2), (1, 0, 3), (5, 0, 5), (6, 1, 6), (6, 5, 6), (12, 3, 6), (12, 9, 6)]);
         for (p, q, k) in found {
-            let counted = refine(&base(lens_space(p, q)), k as u32).expect("small").triangulation().skeleton().counts[1];
+            let counted =
+                refine(&base(lens_space(p, q)), k as u32).expect("small").triangulation().skeleton().counts[1];
             assert_eq!(counted as u128, printed_counts(p.into(), k)[0]);
         }
     }
@@ -330,7 +349,8 @@ mod cx_220 {
     fn of_the_cubes_it_is_right_for_those_with_three_vertices_and_order_six() {
         let mut found: BTreeMap<u64, usize> = BTreeMap::new();
         let step = if std::env::var_os("ISORACLE_LONG").is_some() { 1 } else { 3 };
-        for manifold in all_schemes(&Polyhedron::cube()).step_by(step).filter_map(|scheme| Manifold3::new(scheme).ok()) {
+        for manifold in all_schemes(&Polyhedron::cube()).step_by(step).filter_map(|scheme| Manifold3::new(scheme).ok())
+        {
             assert_eq!(orders(&manifold), if manifold.counts()[0] == 3 { vec![6] } else { vec![] });
             *found.entry(numbers(&manifold).0).or_default() += 1;
         }

@@ -42,7 +42,11 @@ fn a_refinement_is_counted_and_compared_with_print() {
 #[test]
 fn an_order_is_an_integer_from_one_on() {
     for (order, found) in [(json!(0), "0"), (json!(-2), "-2"), (json!("3/2"), "3/2"), (json!(1.5), "3/2")] {
-        is_refused(&lens(3, 1, order), "invalid-input", &format!("order: expected an order, an integer from 1 on, found {found}"));
+        is_refused(
+            &lens(3, 1, order),
+            "invalid-input",
+            &format!("order: expected an order, an integer from 1 on, found {found}"),
+        );
     }
     is_refused(&lens(3, 1, Value::Null), "invalid-input", "order: expected a number, found null");
 }

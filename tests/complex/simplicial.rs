@@ -4,6 +4,7 @@ use super::gluings::{all_complexes, all_gluings, all_schemes, doubled, examples,
 use isoracle::complex::check::{self, VertexSets, check, vertex_sets};
 use isoracle::complex::closed_complex::ClosedComplex;
 use isoracle::complex::examples::{lens_space, three_torus};
+use isoracle::complex::manifold::Manifold3;
 use isoracle::complex::refine::fast::refine;
 use isoracle::complex::refine::simplicial::{Obstruction, obstructions};
 use isoracle::complex::scheme::Polyhedron;
@@ -73,18 +74,25 @@ mod cx_222 {
         let of = |scheme| obstructions(&ClosedComplex::new(scheme).expect("a closed complex").tetrahedra());
         assert_eq!(of(torus_of_cubes(3)), BTreeSet::from([]));
         assert_eq!(of(three_torus()), BTreeSet::from([NotSimplicial, Loop, AnglesBetweenEdges, SamePair]));
-        assert_eq!(of(lens_space(4, 1)), BTreeSet::from([NotSimplicial, Loop, AnglesBetweenEdges, SamePair, TwoTriangles]));
-        let all = [NotSimplicial, Loop, AnglesBetweenEdges, SamePair, TwoTriangles, AnglesBetweenEnds, CornersBetweenEnds];
+        assert_eq!(
+            of(lens_space(4, 1)),
+            BTreeSet::from([NotSimplicial, Loop, AnglesBetweenEdges, SamePair, TwoTriangles])
+        );
+        let all =
+            [NotSimplicial, Loop, AnglesBetweenEdges, SamePair, TwoTriangles, AnglesBetweenEnds, CornersBetweenEnds];
         let orders = |o: Obstruction| (1..=5).filter(|k| o.matters(*k)).collect::<Vec<_>>();
-        assert_eq!(all.map(orders), [vec![1], vec![1, 2], vec![2], vec![2], vec![3], vec![1, 2, 3, 4, 5], vec![1, 2, 3, 4, 5]]);
+        assert_eq!(
+            all.map(orders),
+            [vec![1], vec![1, 2], vec![2], vec![2], vec![3], vec![1, 2, 3, 4, 5], vec![1, 2, 3, 4, 5]]
+        );
     }
 }
 
 mod cx_223 {
     use super::*;
+    use isoracle::complex::refine::moment_point;
     use isoracle::linear::{Matrix, determinant};
     use isoracle::number::{Integer, Rational};
-    use isoracle::complex::refine::moment_point;
 
     #[test]
     fn eight_points_of_the_moment_curve_are_in_general_position() {
@@ -109,12 +117,18 @@ mod cx_223 {
     fn tetrahedra_with_two_corners_at_a_vertex_are_not_rectilinear() {
         let base = ClosedComplex::new(three_torus()).expect("a closed complex").tetrahedra();
         assert_eq!([1, 2, 3].map(|k| sets(&base, k).simplicial), [false, false, true]);
-        assert_eq!(sets(&base, 1).degenerate_tetrahedra, 12, "of order 1 each of the 12 has two different points for corners");
+        assert_eq!(
+            sets(&base, 1).degenerate_tetrahedra,
+            12,
+            "of order 1 each of the 12 has two different points for corners"
+        );
         // Of order 2 two straight edges from the vertex to the middle of a loop have the same ends.
         let skeleton = refine(&base, 2).expect("small").triangulation().skeleton();
-        let ends: BTreeSet<[u32; 2]> = skeleton.vertices.iter().flat_map(|v| {
-            isoracle::complex::triangulation::EDGES.map(|[i, j]| [v[i].min(v[j]), v[i].max(v[j])])
-        }).collect();
+        let ends: BTreeSet<[u32; 2]> = skeleton
+            .vertices
+            .iter()
+            .flat_map(|v| isoracle::complex::triangulation::EDGES.map(|[i, j]| [v[i].min(v[j]), v[i].max(v[j])]))
+            .collect();
         assert!(ends.len() < skeleton.counts[1], "{} of {}", ends.len(), skeleton.counts[1]);
     }
 }
@@ -163,18 +177,20 @@ mod cx_225 {
     }
 
     #[test]
-    fn of_the_cubes_gluings_with_pairs_have_an_edge_with_fewer_than_three_tetrahedra() {
-        // For cubes the rings around faces and corners of polyhedra are large enough.
-        let step = if is_long() { 1 } else { 17 };
+    fn of_small_manifolds_they_are_those_with_an_edge_of_one_or_two_tetrahedra() {
+        let (triples, cubes) = if is_long() { (1, 1) } else { (3, 7) };
+        let gluings = (1..=2).flat_map(all_gluings).chain(all_gluings(3).step_by(triples));
+        let cubes = all_schemes(&Polyhedron::cube()).step_by(cubes).filter_map(|scheme| Manifold3::new(scheme).ok());
         let mut tally: BTreeMap<bool, usize> = BTreeMap::new();
-        for scheme in all_schemes(&Polyhedron::cube()).step_by(step) {
-            let Ok(complex) = ClosedComplex::new(scheme) else { continue };
-            let found = obstructions(&complex.tetrahedra()).contains(&Obstruction::CornersBetweenEnds);
-            let small = complex.edge_ring_sizes().iter().any(|n| *n < 3);
-            assert!(found || !small);
-            *tally.entry(found == small).or_default() += 1;
+        for base in
+            gluings.filter(|base| check::fast::check(base).defects.is_empty()).chain(cubes.map(|m| m.tetrahedra()))
+        {
+            let mut around: BTreeMap<u32, usize> = BTreeMap::new();
+            base.skeleton().edges.iter().flatten().for_each(|edge| *around.entry(*edge).or_default() += 1);
+            let small = around.values().any(|n| *n < 3);
+            assert_eq!(obstructions(&base).contains(&Obstruction::CornersBetweenEnds), small);
+            *tally.entry(small).or_default() += 1;
         }
-        assert!(!tally.is_empty());
-        println!("{tally:?}");
+        assert!(tally.len() == 2 && tally.values().all(|n| *n > 20), "{tally:?}");
     }
 }

@@ -39,14 +39,23 @@ mod cx_201 {
         };
         assert_eq!(facts.counts, complex.counts());
         assert_eq!((facts.components, facts.orientable), (complex.component_count(), complex.is_orientable()));
-        let mut links: Vec<_> = facts.defects.iter().filter_map(|d| match d {
-            TriangulationDefect::VertexLink { link, .. } => Some(*link),
-            TriangulationDefect::EdgeReversed { .. } => None,
-        }).collect();
-        let mut expected: Vec<_> = Manifold3::of(complex).err().into_iter().flatten().filter_map(|d| match d {
-            SchemeDefect::VertexLink { link, .. } => Some(link),
-            _ => None,
-        }).collect();
+        let mut links: Vec<_> = facts
+            .defects
+            .iter()
+            .filter_map(|d| match d {
+                TriangulationDefect::VertexLink { link, .. } => Some(*link),
+                TriangulationDefect::EdgeReversed { .. } => None,
+            })
+            .collect();
+        let mut expected: Vec<_> = Manifold3::of(complex)
+            .err()
+            .into_iter()
+            .flatten()
+            .filter_map(|d| match d {
+                SchemeDefect::VertexLink { link, .. } => Some(link),
+                _ => None,
+            })
+            .collect();
         links.sort();
         expected.sort();
         assert_eq!((links, reversed), (expected, 0));
@@ -71,10 +80,14 @@ mod cx_201 {
             let of_vertices = |triangulation: &Triangulation| {
                 let facts = fast::check(triangulation);
                 assert_eq!((facts.components, facts.orientable), (complex.component_count(), complex.is_orientable()));
-                let mut links: Vec<_> = facts.defects.iter().map(|d| match d {
-                    TriangulationDefect::VertexLink { link, .. } => *link,
-                    TriangulationDefect::EdgeReversed { .. } => panic!("edges are edges"),
-                }).collect();
+                let mut links: Vec<_> = facts
+                    .defects
+                    .iter()
+                    .map(|d| match d {
+                        TriangulationDefect::VertexLink { link, .. } => *link,
+                        TriangulationDefect::EdgeReversed { .. } => panic!("edges are edges"),
+                    })
+                    .collect();
                 links.sort();
                 links
             };
@@ -102,7 +115,11 @@ mod cx_202 {
                 }
             }
             assert_eq!(cells.len(), skeleton.counts[0]);
-            assert_eq!(cells.values().collect::<BTreeSet<_>>().len(), complex.counts().iter().sum::<usize>(), "and each cell one vertex");
+            assert_eq!(
+                cells.values().collect::<BTreeSet<_>>().len(),
+                complex.counts().iter().sum::<usize>(),
+                "and each cell one vertex"
+            );
         }
     }
 }
@@ -182,7 +199,8 @@ mod cx_205 {
             let skeleton = complex.barycentric().skeleton();
             for parts in complex.barycentric_parts() {
                 // Triangle 3 is V, E, F; triangle 0 is E, F, P.
-                let pairs = parts.map(|flag| skeleton.triangles[flag.0 as usize]).map(|triangles| (triangles[3], triangles[0]));
+                let pairs =
+                    parts.map(|flag| skeleton.triangles[flag.0 as usize]).map(|triangles| (triangles[3], triangles[0]));
                 let [vef, efp]: [BTreeSet<u32>; 2] = [pairs.map(|p| p.0).into(), pairs.map(|p| p.1).into()];
                 assert_eq!((vef.len(), efp.len(), BTreeSet::from(pairs).len()), (2, 2, 4));
             }
@@ -217,7 +235,8 @@ mod cx_206 {
             assert!(ends.is_disjoint(&middles));
             // Edges 01 and 23 have no corner in common: as many as edges, and as faces, with the rings of both.
             let rings = |edge: usize| {
-                let mut sizes: Vec<usize> = super::super::gluings::rings(&complex.tetrahedra(), edge).into_values().collect();
+                let mut sizes: Vec<usize> =
+                    super::super::gluings::rings(&complex.tetrahedra(), edge).into_values().collect();
                 sizes.sort_unstable();
                 sizes
             };
@@ -310,11 +329,15 @@ mod cx_209 {
     #[test]
     fn a_reversed_edge_is_half_an_edge() {
         // A monogon glued to the other one so that its edge turns around.
-        let defects = ClosedComplex::new(paired(Polyhedron::lens(1), &[(0, 1, 0, 1)])).expect_err("its edge is no cell");
+        let defects =
+            ClosedComplex::new(paired(Polyhedron::lens(1), &[(0, 1, 0, 1)])).expect_err("its edge is no cell");
         assert_eq!(defects.iter().map(SchemeDefect::reason).collect::<Vec<_>>(), [Reason::EdgeReversed]);
         for triangulation in (1..=2).flat_map(all_gluings) {
-            let reversed =
-                check(&triangulation).defects.iter().filter(|d| matches!(d, TriangulationDefect::EdgeReversed { .. })).count();
+            let reversed = check(&triangulation)
+                .defects
+                .iter()
+                .filter(|d| matches!(d, TriangulationDefect::EdgeReversed { .. }))
+                .count();
             let skeleton = triangulation.barycentric().skeleton();
             let mut halves: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
             for (vertices, edges) in skeleton.vertices.iter().zip(&skeleton.edges) {
