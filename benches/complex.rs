@@ -45,7 +45,11 @@ fn timed(name: &str, base: &Triangulation, order: u32, is_fast: bool) {
     let all = start.elapsed().as_secs_f64();
     assert!(facts.defects.is_empty() && facts.orientable && facts.vertex_sets.simplicial, "a simplicial 3-torus");
     let peak = peak_memory().map_or("unknown".to_owned(), |kib| format!("{} MiB", kib / 1024));
-    println!("{name}: {} tetrahedra built in {built:.2} s, checked in {:.2} s, peak {peak}", triangulation.len(), all - built);
+    println!(
+        "{name}: {} tetrahedra built in {built:.2} s, checked in {:.2} s, peak {peak}",
+        triangulation.len(),
+        all - built
+    );
 }
 
 /// The peak resident memory in KiB, where the system tells it.

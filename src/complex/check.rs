@@ -78,6 +78,7 @@ pub fn check(triangulation: &Triangulation) -> Facts {
 
 /// Degenerate and duplicate tetrahedra, and whether the triangulation is a simplicial complex. A pair of degenerate tetrahedra in the
 /// sense of 000, footnote 4, is two different ones with the same vertices.
+#[doc(alias = "CX-225")]
 pub fn vertex_sets(triangulation: &Triangulation) -> VertexSets {
     let skeleton = triangulation.skeleton();
     let [_, edge_count, triangle_count, tetrahedra] = skeleton.counts;
@@ -103,7 +104,8 @@ fn is_orientable(triangulation: &Triangulation) -> bool {
     let n = triangulation.len();
     // Each tetrahedron twice, once for each sign.
     let mut signed = Partition::new(2 * n);
-    for (tetrahedron, gluing) in (0..).zip(triangulation.gluings()).flat_map(|(i, row)| row.iter().map(move |g| (i, g))) {
+    for (tetrahedron, gluing) in (0..).zip(triangulation.gluings()).flat_map(|(i, row)| row.iter().map(move |g| (i, g)))
+    {
         let turn = usize::from(gluing.corners.is_even());
         let other = 2 * gluing.tetrahedron as usize;
         for sign in 0..2 {

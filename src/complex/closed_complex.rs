@@ -63,6 +63,7 @@ impl ClosedComplex {
     }
 
     /// The number t of face-edge pairs, with multiplicity: Σ |F_e| = Σ |E_f|.
+    #[doc(alias = "CX-207")]
     pub fn facet_edge_pairs(&self) -> usize {
         self.flags.len() / 4
     }

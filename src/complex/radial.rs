@@ -82,15 +82,28 @@ pub fn slice(base: &Triangulation, axis: Axis, slices: &[u32]) -> Result<Triangu
         let last = slices[tetrahedron] - 1;
         for s in 0..=last {
             gluings.push([0, 1, 2, 3].map(|triangle| {
-                let next = |s: u32| TriangleGluing { tetrahedron: starts[tetrahedron] + s, corners: transposition(low, high) };
+                let next =
+                    |s: u32| TriangleGluing { tetrahedron: starts[tetrahedron] + s, corners: transposition(low, high) };
                 let TriangleGluing { tetrahedron: other, corners } = outer[triangle];
                 let image = corners.image(triangle);
                 // The triangle opposite the high corner is at the low end of the slice.
                 let place = match triangle {
                     _ if triangle == high && s > 0 => return next(s - 1),
                     _ if triangle == low && s < last => return next(s + 1),
-                    _ if triangle == high || triangle == low => if image == high { 0 } else { slices[other as usize] - 1 },
-                    _ => if corners.image(low) == low { s } else { last - s },
+                    _ if triangle == high || triangle == low => {
+                        if image == high {
+                            0
+                        } else {
+                            slices[other as usize] - 1
+                        }
+                    }
+                    _ => {
+                        if corners.image(low) == low {
+                            s
+                        } else {
+                            last - s
+                        }
+                    }
                 };
                 TriangleGluing { tetrahedron: starts[other as usize] + place, corners }
             }));

@@ -7,6 +7,7 @@ pub mod simplicial;
 use super::closed_complex::ClosedComplex;
 use super::permutation::Perm4;
 use super::triangulation::{TriangleGluing, Triangulation};
+use crate::number::Integer;
 use crate::partition::Partition;
 use std::collections::BTreeMap;
 use thiserror::Error;
@@ -120,7 +121,8 @@ pub fn refine(base: &Triangulation, order: u32) -> Result<Refinement, RefineErro
         let mut images = [other_triangle as u8; 4];
         for i in (0..4).filter(|i| *i != triangle) {
             let point = moved(small[j][i], map);
-            images[i] = small[other_j].iter().position(|p| *p == point).expect("the triangles have the same points") as u8;
+            images[i] =
+                small[other_j].iter().position(|p| *p == point).expect("the triangles have the same points") as u8;
         }
         let corners = Perm4::new(images).expect("three corners and the fourth");
         TriangleGluing { tetrahedron: (other * small.len() + other_j) as u32, corners }
@@ -129,7 +131,13 @@ pub fn refine(base: &Triangulation, order: u32) -> Result<Refinement, RefineErro
     let gluings = all.map(|(i, j)| [0, 1, 2, 3].map(|triangle| gluing(i, j, triangle))).collect();
     let triangulation = Triangulation::new(gluings).expect("what is glued to a triangle is glued back");
     let (numbers, vertex_count) = classes(base, order);
-    Ok(Refinement { order, triangulation, vertices: corner_numbers(base.len(), &small, order, &numbers), numbers, vertex_count })
+    Ok(Refinement {
+        order,
+        triangulation,
+        vertices: corner_numbers(base.len(), &small, order, &numbers),
+        numbers,
+        vertex_count,
+    })
 }
 
 /// The tetrahedra that a tetrahedron is cut into, by the lattice points at their corners; e_i is a unit of coordinate i.
@@ -152,7 +160,8 @@ pub fn small_tetrahedra(order: u32) -> Vec<[LatticePoint; 4]> {
     let quarter = |q, c: usize| {
         let (d, [a, b]) = partners(c);
         let mut corners = [q; 4];
-        (corners[c], corners[d], corners[a], corners[b]) = (with(q, &[a, b]), with(q, &[c, d]), with(q, &[c, a]), with(q, &[c, b]));
+        (corners[c], corners[d], corners[a], corners[b]) =
+            (with(q, &[a, b]), with(q, &[c, d]), with(q, &[c, a]), with(q, &[c, b]));
         corners
     };
     let inverted = |r: LatticePoint| [0, 1, 2, 3].map(|i| [0, 1, 2, 3].map(|j| r[j] + u32::from(i != j)));
@@ -188,6 +197,13 @@ pub fn moved(point: LatticePoint, corners: Perm4) -> LatticePoint {
     let mut image = [0; 4];
     (0..4).for_each(|i| image[corners.image(i)] = point[i]);
     image
+}
+
+/// (n, n², …, n⁷): the place of vertex n on the moment curve. Eight vertices are never in one hyperplane of ℝ⁷, so that the straight
+/// simplices of a simplicial complex of dimension 3 meet in their common vertices only (CX-223).
+#[doc(alias = "CX-223")]
+pub fn moment_point(vertex: u32) -> [Integer; 7] {
+    std::array::from_fn(|i| Integer::from(Integer::u_pow_u(vertex, i as u32 + 1)))
 }
 
 fn sorted_triangle(corners: &[LatticePoint; 4], opposite: usize) -> [LatticePoint; 3] {

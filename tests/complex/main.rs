@@ -16,3 +16,11 @@ mod homology_fast;
 mod refine;
 mod splice;
 mod subdivided;
+mod gluings;
+mod ground;
+mod radial;
+mod refine;
+#[cfg(feature = "cli")]
+mod refine_answers;
+mod simplicial;
+mod subdivision;

@@ -146,7 +146,11 @@ fn edges(gluings: &[[TriangleGluing; 4]], vertices: &[[u32; 4]]) -> (Edges, Vec<
 fn vertex_sets(gluings: &[[TriangleGluing; 4]], vertices: &[[u32; 4]], count: usize, edges: &Edges) -> VertexSets {
     let tetrahedra = gluings.len();
     let mut degenerate_tetrahedra = 0;
-    let sets: Vec<[u32; 4]> = vertices.iter().map(|corners| set(*corners)).inspect(|set| degenerate_tetrahedra += usize::from(set[3] == NONE)).collect();
+    let sets: Vec<[u32; 4]> = vertices
+        .iter()
+        .map(|corners| set(*corners))
+        .inspect(|set| degenerate_tetrahedra += usize::from(set[3] == NONE))
+        .collect();
     let all = different(&sets, count);
     let mut told_apart = all == tetrahedra && degenerate_tetrahedra == 0;
     // What follows is known where a tetrahedron is not told apart, and costs more than that.

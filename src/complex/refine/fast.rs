@@ -1,8 +1,8 @@
 //! Refinement by formulas: what a small triangle is glued to, and the number of each lattice point, without a search.
 
 use super::{
-    MAX_TETRAHEDRA, RefineError, Refinement, check_size, corner_numbers, lattice_points, moved, partners, points_of_order, rank,
-    small_tetrahedra,
+    MAX_TETRAHEDRA, RefineError, Refinement, check_size, corner_numbers, lattice_points, moved, partners,
+    points_of_order, rank, small_tetrahedra,
 };
 use crate::complex::permutation::Perm4;
 use crate::complex::triangulation::{EDGES, TriangleGluing, Triangulation};
@@ -46,7 +46,10 @@ fn gluings(base: &Triangulation, order: u32) -> Vec<[TriangleGluing; 4]> {
             gluings.push([0, 1, 2, 3].map(|i| match p[i] {
                 0 => {
                     let j = rank(moved(*p, outer[i].corners));
-                    TriangleGluing { tetrahedron: outer[i].tetrahedron * small as u32 + j as u32, corners: outer[i].corners }
+                    TriangleGluing {
+                        tetrahedron: outer[i].tetrahedron * small as u32 + j as u32,
+                        corners: outer[i].corners,
+                    }
                 }
                 _ => at(families.octahedra + 4 * rank(less_one(*p, i)) + i, Perm4::IDENTITY),
             }));
@@ -72,9 +75,8 @@ fn gluings(base: &Triangulation, order: u32) -> Vec<[TriangleGluing; 4]> {
             }
         }
         for r in &inverted {
-            gluings.push([0, 1, 2, 3].map(|d| {
-                at(families.octahedra + 4 * rank(plus_one(*r, d)) + (d ^ 1), exchanged(d))
-            }));
+            gluings
+                .push([0, 1, 2, 3].map(|d| at(families.octahedra + 4 * rank(plus_one(*r, d)) + (d ^ 1), exchanged(d))));
         }
     }
     gluings
@@ -208,7 +210,8 @@ fn edge_tails(base: &Triangulation, edges: &[[u32; 6]], count: usize) -> Tails {
         true => Direction::Both,
         false => d.expect("every edge was reached"),
     };
-    let rows = of_edge.into_iter().zip(edges).map(|(row, classes)| std::array::from_fn(|i| direction((row[i], classes[i]))));
+    let rows =
+        of_edge.into_iter().zip(edges).map(|(row, classes)| std::array::from_fn(|i| direction((row[i], classes[i]))));
     Tails { of_edge: rows.collect(), reversed: is_reversed.iter().filter(|r| **r).count() }
 }
 

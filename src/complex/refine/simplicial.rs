@@ -59,14 +59,18 @@ pub fn obstructions(base: &Triangulation) -> BTreeSet<Obstruction> {
     note(!are_told_apart(angles(base, edge_of)), Obstruction::AnglesBetweenEdges);
     let pairs = skeleton.edges.iter().zip(0..).map(|(edges, tetrahedron)| (edges_pair(edges), tetrahedron));
     note(!are_told_apart(pairs), Obstruction::SamePair);
-    let triangles = skeleton.triangles.iter().zip(0..).flat_map(|(of, tetrahedron)| {
-        EDGES.map(|[i, j]| (sorted([of[i], of[j]]), tetrahedron))
-    });
+    let triangles = skeleton
+        .triangles
+        .iter()
+        .zip(0..)
+        .flat_map(|(of, tetrahedron)| EDGES.map(|[i, j]| (sorted([of[i], of[j]]), tetrahedron)));
     note(!are_told_apart(triangles), Obstruction::TwoTriangles);
     let ends = edge_ends(base);
     let end_of = |tetrahedron: usize, i: usize, j: usize| ends[tetrahedron][i][j];
     let corners = (0..base.len()).flat_map(|tetrahedron| {
-        (0..4).map(move |i| (sorted([1, 2, 3].map(|j| end_of(tetrahedron, i, (i + j) % 4))), (4 * tetrahedron + i) as u32))
+        (0..4).map(move |i| {
+            (sorted([1, 2, 3].map(|j| end_of(tetrahedron, i, (i + j) % 4))), (4 * tetrahedron + i) as u32)
+        })
     });
     note(!are_told_apart(angles(base, end_of)), Obstruction::AnglesBetweenEnds);
     note(!are_told_apart(corners), Obstruction::CornersBetweenEnds);
@@ -126,5 +130,7 @@ fn edge_ends(base: &Triangulation) -> Vec<[[u32; 4]; 4]> {
 /// Whether each key stands for one thing only, and no key has an element twice.
 fn are_told_apart<const N: usize>(things: impl IntoIterator<Item = ([u32; N], u32)>) -> bool {
     let mut thing_of = BTreeMap::new();
-    things.into_iter().all(|(key, thing)| key.windows(2).all(|pair| pair[0] != pair[1]) && *thing_of.entry(key).or_insert(thing) == thing)
+    things.into_iter().all(|(key, thing)| {
+        key.windows(2).all(|pair| pair[0] != pair[1]) && *thing_of.entry(key).or_insert(thing) == thing
+    })
 }
