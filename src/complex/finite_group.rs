@@ -2,7 +2,6 @@
 
 use super::presentation::{Letter, Presentation, Word};
 use crate::number::Integer;
-use rug::ops::Pow;
 use std::collections::BTreeMap;
 
 /// A finite group by its table. Element 0 is the identity.
@@ -107,8 +106,8 @@ impl Presentation {
         }
         // Generators after the last one that stands in a relator are free.
         let bound = tests.iter().rposition(|words| !words.is_empty()).map_or(0, |last| last + 1);
-        let free = Integer::from(group.order()).pow((self.generators() - bound) as u32);
-        choices(group, &tests[..bound], &mut Vec::new()) * free
+        let count = choices(group, &tests[..bound], &mut Vec::new());
+        (bound..self.generators()).fold(count, |count, _| count * group.order() as u64)
     }
 }
 

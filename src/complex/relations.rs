@@ -1,7 +1,9 @@
 //! Sums of generators of an abelian group whose relations become known one by one.
 
 use super::abelian::AbelianGroup;
+use crate::mesh::homology::{divisors, into_divisor_chain};
 use crate::number::Integer;
+use crate::partition::Partition;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// A sum of generators, by their numbers; no coefficient is 0.
@@ -98,14 +100,17 @@ impl Relations {
     /// The group, up to isomorphism.
     pub fn group(&self) -> AbelianGroup {
         // A relation whose pivot is 1 takes its generator away, and nothing else names it once the others are reduced.
-        let units = self.rows.iter().filter(|(lead, row)| row[lead] == 1).count();
         let others = self.rows.iter().filter(|(lead, row)| row[lead] != 1).map(|(lead, row)| {
             let mut rest = row.clone();
             let pivot = rest.remove(lead).expect("the pivot stands there");
             self.reduce(&mut rest);
             rest.into_iter().chain([(*lead, pivot)]).map(|(generator, n)| (generator as usize, n)).collect()
         });
-        AbelianGroup::of_relations(self.generators() - units, others.collect())
+        let mut torsion: Vec<Integer> = blocks(others.collect()).into_iter().flat_map(divisors).collect();
+        into_divisor_chain(&mut torsion);
+        // Each row is one generator less.
+        let rank = self.generators() - self.rows.len();
+        AbelianGroup { rank, torsion: torsion.into_iter().filter(|t| *t != 1).collect() }
     }
 
     /// Another form of the same element: the coefficient of each pivot's generator lies in 0 … pivot − 1.
@@ -137,6 +142,21 @@ impl Default for Relations {
     fn default() -> Relations {
         Relations::new()
     }
+}
+
+/// Rows that have no column in common with those of another block, for Smith's form of each.
+fn blocks(rows: Vec<BTreeMap<usize, Integer>>) -> Vec<Vec<BTreeMap<usize, Integer>>> {
+    let columns = rows.iter().filter_map(|row| row.keys().last()).max().map_or(0, |last| last + 1);
+    let mut same = Partition::new(columns);
+    for row in &rows {
+        row.keys().zip(row.keys().skip(1)).for_each(|(a, b)| _ = same.join(*a, *b));
+    }
+    let mut blocks: BTreeMap<usize, Vec<_>> = BTreeMap::new();
+    for row in rows {
+        let column = *row.keys().next().expect("a row has its pivot");
+        blocks.entry(same.find(column)).or_default().push(row);
+    }
+    blocks.into_values().collect()
 }
 
 /// ⌊n/d⌋, d > 0.

@@ -28,6 +28,7 @@ impl Presentation {
     fn cheapest_elimination(&self, limit: usize) -> Option<(usize, usize)> {
         let mut uses = vec![0_usize; self.generators];
         self.relators.iter().flatten().for_each(|letter| uses[letter.generator()] += 1);
+        let total = self.letters();
         let mut best: Option<(usize, usize, usize)> = None;
         for (number, relator) in self.relators.iter().enumerate() {
             let mut letters: Vec<usize> = relator.iter().map(|letter| letter.generator()).collect();
@@ -35,7 +36,7 @@ impl Presentation {
             for run in letters.chunk_by(|a, b| a == b).filter(|run| run.len() == 1) {
                 // Each other use becomes the rest of the relator.
                 let others = uses[run[0]] - 1;
-                let letters = self.letters() - relator.len() - others + others * (relator.len() - 1);
+                let letters = total - relator.len() - others + others * (relator.len() - 1);
                 if letters <= limit && best.is_none_or(|(least, _, _)| letters < least) {
                     best = Some((letters, number, run[0]));
                 }

@@ -233,10 +233,13 @@ fn subtract(row: &mut BTreeMap<usize, Integer>, factor: &Integer, other: &BTreeM
     }
 }
 
-/// diag(a, b) is equivalent to diag(gcd, lcm).
-fn into_divisor_chain(diagonal: &mut [Integer]) {
+/// The elementary divisors of a diagonal matrix in place of its entries, all positive: diag(a, b) is equivalent to diag(gcd, lcm).
+pub fn into_divisor_chain(diagonal: &mut [Integer]) {
     for i in 0..diagonal.len() {
         for j in i + 1..diagonal.len() {
+            if diagonal[j].is_divisible(&diagonal[i]) {
+                continue;
+            }
             let gcd = Integer::from(diagonal[i].gcd_ref(&diagonal[j]));
             let lcm = Integer::from(diagonal[i].lcm_ref(&diagonal[j]));
             (diagonal[i], diagonal[j]) = (gcd, lcm);
