@@ -1,3 +1,4 @@
 //! Closed 3-complexes: each entry of spec/complex.md against a second derivation.
 
 mod ground;
+mod isosig;
