@@ -527,3 +527,72 @@ fn a_question_is_read_as_it_is_quoted() {
         assert!(matches!(SUITE.ask(&mut altered(|_, _, _| {}), &read), Judgement::Right { .. }));
     }
 }
+
+/// The printed number of edges of a refinement, t(k³ + k² + 1), is caught; so are other wrong numbers of it.
+#[test]
+fn wrong_refinements_are_caught_and_shown_at_a_small_order() {
+    let is_there = isoracle::answer::OPERATIONS.iter().any(|(name, _)| *name == "complex.refine");
+    assert_eq!(questions(1, 1).iter().any(|question| question.order.is_some()), is_there);
+    if !is_there {
+        return;
+    }
+    let report = judged(|op, _, out| {
+        if op == "complex.refine" {
+            out["E"] = out["as_printed"]["E"].clone();
+        }
+    });
+    assert_eq!(report.verdict, Outcome::Wrong);
+    assert!(report.failures.iter().all(|f| f.row == "refinements" && f.fault == "wrong-counts"));
+    let failure = &report.failures[0];
+    let QuestionRecord::Other { op, input } = &failure.question else { panic!("not about a volume") };
+    // The 3-sphere of one monogon has t = 1 and V + P = 2, for which the printed number holds up to order 3 alone.
+    assert_eq!((op.as_str(), &input["order"]), ("complex.refine", &json!(4)));
+    assert_eq!(counted(&scheme_of(&failure.question)).cells, [1; 4]);
+    assert_eq!(counted(&scheme_of(&failure.question)).degrees, [1]);
+    for (name, fault) in [
+        ("V", "wrong-counts"),
+        ("F", "wrong-counts"),
+        ("T", "wrong-counts"),
+        ("simplicial", "wrong-simpliciality"),
+        ("degenerate_tetrahedra", "wrong-degenerates"),
+        ("duplicate_tetrahedra", "wrong-duplicates"),
+        ("as_printed", "wrong-printed"),
+    ] {
+        let found = asked(&mut altered(|op, _, out| {
+            if op == "complex.refine" {
+                out[name] = match &out[name] {
+                    Value::Bool(is_so) => json!(!is_so),
+                    Value::Number(n) => json!(n.as_u64().unwrap() + 1),
+                    _ => json!({"E": -1}),
+                };
+            }
+        }));
+        assert_eq!(found, BTreeSet::from([("refinements", fault)]), "{name}");
+    }
+    let mut refines_all = Altered(|_: &str, _: &Value, out: Value| Reply::Out(out));
+    let none = questions(7, 8).into_iter().filter(|question| question.row == Row::NoRefinements);
+    assert!(
+        none.clone().count() == 8
+            && none.into_iter().all(|q| matches!(SUITE.ask(&mut refines_all, &q), Judgement::Right { .. }))
+    );
+}
+
+#[test]
+fn the_command_judges_the_oracle_and_asks_a_quoted_question_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let isoracle = assert_cmd::cargo::cargo_bin!("isoracle");
+    let run = |arguments: &[&str]| {
+        let mut command = assert_cmd::Command::new(isoracle);
+        let output =
+            command.current_dir(folder.path()).args(["judge", "--suite", "complex"]).args(arguments).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    let own = isoracle.to_str().unwrap();
+    let (code, out) = run(&["--cases", "20", "--report", "report", "--", own, "answer"]);
+    assert_eq!(code, Some(0), "{out}");
+    assert!(out.contains("face-in-two-pairings") && out.contains("tetrahedra"), "{out}");
+    let page = std::fs::read_to_string(folder.path().join("report/report.html")).unwrap();
+    assert!(page.contains("kinds of schemes") && !page.contains("kinds of meshes"));
+    let text = json!({"op": "complex.glue", "in": question(&three_torus()).input()}).to_string();
+    assert_eq!(run(&["--question", &text, "--", own, "answer"]), (Some(0), "right\n".to_owned()));
+}

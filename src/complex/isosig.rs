@@ -291,17 +291,17 @@ impl Reader {
         while triangles < 4 * size {
             let (position, digit) = (self.position, self.digit("what becomes of triangles")?);
             for i in 0..3 {
-                match (digit >> (2 * i) & 3) as u8 {
+                match (digit >> (2 * i) & 3, triangles == 4 * size) {
                     // The last digit is filled up with zeros.
-                    0 if triangles == 4 * size => continue,
-                    0 => return Err(SignatureError::Border { position }),
-                    TO_A_NEW_ONE if reached == size => return Err(SignatureError::NoneIsNew { position, size }),
-                    action @ (TO_A_NEW_ONE | TO_A_KNOWN_ONE) if triangles + 2 <= 4 * size => {
-                        reached += usize::from(action == TO_A_NEW_ONE);
-                        actions.push(action);
+                    (0, true) => {}
+                    (_, true) | (3.., false) => return Err(SignatureError::NoAction { position }),
+                    (0, false) => return Err(SignatureError::Border { position }),
+                    (1, false) if reached == size => return Err(SignatureError::NoneIsNew { position, size }),
+                    (action @ (1 | 2), false) => {
+                        reached += usize::from(action == 1);
+                        actions.push(action as u8);
                         triangles += 2;
                     }
-                    _ => return Err(SignatureError::NoAction { position }),
                 }
             }
         }

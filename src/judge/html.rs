@@ -102,7 +102,7 @@ fn summary(report: &Report) -> Markup {
         section.summary aria-label="Summary" {
             p.lead { (report.verdict_sentence()) }
             p {
-                (whole) " of the " (report.cases.len()) @if is_about_volumes(report) { " cases" } @else { " kinds of meshes" } " are right throughout"
+                (whole) " of the " (report.cases.len()) " " (kinds(report)) " are right throughout"
                 @if let Some(worst) = worst { "; the weakest row is " strong { (worst.name) } ", " (worst.pass_rate()) " % right" }
                 "."
             }
@@ -149,13 +149,25 @@ fn is_about_volumes(report: &Report) -> bool {
     report.suite == "isosurface"
 }
 
+/// What the rows of the first table are.
+fn kinds(report: &Report) -> &'static str {
+    match report.suite.as_str() {
+        "isosurface" => "cases",
+        "complex" => "kinds of schemes",
+        _ => "kinds of meshes",
+    }
+}
+
 fn cases(report: &Report) -> Markup {
     let declined = report.cases.iter().any(|row| row.unsupported > 0);
     html! {
         section aria-labelledby="cases" {
-            h2 #cases { "The " (report.cases.len()) @if is_about_volumes(report) { " cases" } @else { " kinds of meshes" } }
+            h2 #cases { "The " (report.cases.len()) " " (kinds(report)) }
             p.note {
                 @if is_about_volumes(report) { "Single cells, by Chernyaev’s names. A filled corner is above the isovalue." }
+                @else if report.suite == "complex" {
+                    "Gluing schemes of 3-manifolds, or of what is none at least for the reason that the row is named for."
+                }
                 @else { "Meshes that are sound, or have the defect that the row is named for, perhaps among others." }
                 " A name in bold leads to its smallest failure."
             }

@@ -9,13 +9,14 @@ pub struct Report {
     pub report: u32,
     /// What the candidate said of itself, and how it was started.
     pub candidate: CandidateInfo,
-    /// The suite: "isosurface" or "mesh".
+    /// The suite: "isosurface", "mesh" or "complex".
     pub suite: String,
     /// The seed of the random questions; the same seed asks the same questions.
     pub seed: u64,
     /// The verdict in one word.
     pub verdict: Outcome,
-    /// The suite's cases: of isosurfaces the 33 of single cells, in Chernyaev's order; of meshes the kinds of defects.
+    /// The suite's cases: of isosurfaces the 33 of single cells, in Chernyaev's order; of meshes and
+    /// gluing schemes the kinds of defects.
     pub cases: Vec<Row>,
     /// The other groups: of isosurfaces pairs, grids, near-degenerate, ties.
     pub groups: Vec<Row>,

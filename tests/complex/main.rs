@@ -24,3 +24,4 @@ mod refine;
 mod refine_answers;
 mod simplicial;
 mod subdivision;
+mod isosig;

@@ -11,6 +11,7 @@ mod any;
 mod mesh;
 
 mod off_;
+mod snappea;
 mod volume;
 
 const LIMITS: Limits = Limits { samples: 1 << 16 };
