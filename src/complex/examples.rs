@@ -4,14 +4,17 @@ use super::scheme::{FaceId, GluingScheme, Pairing, Polyhedron, SignedEdge};
 use std::collections::BTreeMap;
 
 impl Polyhedron {
-    /// The polyhedron with these faces, each the cycle of its vertices, all seen from one side. No face goes twice from one
-    /// vertex to another; edges are numbered as the faces come to them.
+    /// The polyhedron with these faces, each the cycle of its vertices, all seen from one side. Two vertices have one edge at
+    /// most; edges are numbered as the faces come to them.
     pub fn of_vertex_cycles(faces: &[Vec<u32>]) -> Polyhedron {
         let mut numbers: BTreeMap<[u32; 2], i32> = BTreeMap::new();
         let mut edges = Vec::new();
         let mut side = |from: u32, to: u32| {
-            if let Some(edge) = numbers.get(&[to, from]) {
-                return SignedEdge(-edge);
+            // Walked along the same way again it is the same edge too, and the polyhedron has that flaw.
+            match (numbers.get(&[from, to]), numbers.get(&[to, from])) {
+                (Some(edge), _) => return SignedEdge(*edge),
+                (None, Some(edge)) => return SignedEdge(-edge),
+                (None, None) => {}
             }
             edges.push([from, to]);
             numbers.insert([from, to], edges.len() as i32);

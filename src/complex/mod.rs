@@ -4,13 +4,18 @@
 //! [`ClosedComplex`](closed_complex::ClosedComplex) one whose cells are cells, a [`Manifold3`](manifold::Manifold3) one in
 //! which every point has a neighbourhood like that of a point of space.
 
+pub mod abelian;
+pub mod census;
 pub mod chain;
 pub mod closed_complex;
+pub mod connected_sum;
 pub mod examples;
 pub mod flag;
 pub mod manifold;
 pub mod permutation;
 pub mod polyhedron;
 pub mod scheme;
+pub mod symmetry;
 pub mod tetrahedra;
 pub mod triangulation;
+pub mod zoo;

@@ -1,0 +1,78 @@
+//! A zoo of closed 3-manifolds by name, with what is known of each, and one of schemes that are none ([`invalid`]).
+//!
+//! The same schemes stand as text in the folder `zoo/`.
+
+mod bundle;
+mod convex;
+mod cubical;
+pub mod invalid;
+mod simplices;
+mod solids;
+mod table;
+
+pub use simplices::of_triangulation;
+
+use super::abelian::AbelianGroup;
+use super::scheme::GluingScheme;
+use crate::number::Integer;
+
+/// A manifold as a scheme, with what the literature says of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Specimen {
+    /// Its name here.
+    pub name: &'static str,
+    /// The space, up to homeomorphism.
+    pub space: &'static str,
+    /// How it is glued, and whose it is.
+    pub about: &'static str,
+    /// V, E, F, P.
+    pub cells: [usize; 4],
+    /// Whether it is orientable.
+    pub orientable: bool,
+    /// H₁ over ℤ.
+    pub h1: AbelianGroup,
+    /// The scheme.
+    pub scheme: GluingScheme,
+}
+
+/// A line of the table: a specimen before it is built.
+struct Row {
+    name: &'static str,
+    space: &'static str,
+    about: &'static str,
+    cells: [usize; 4],
+    orientable: bool,
+    rank: usize,
+    torsion: &'static [u32],
+    scheme: fn() -> GluingScheme,
+}
+
+impl Row {
+    fn specimen(&self) -> Specimen {
+        let h1 = AbelianGroup { rank: self.rank, torsion: self.torsion.iter().copied().map(Integer::from).collect() };
+        Specimen {
+            name: self.name,
+            space: self.space,
+            about: self.about,
+            cells: self.cells,
+            orientable: self.orientable,
+            h1,
+            scheme: (self.scheme)(),
+        }
+    }
+}
+
+/// The names of all specimens, in the order of the table: spheres, projective and lens spaces, other spherical ones, flat ones,
+/// bundles, sums, hyperbolic ones, such in several components.
+pub fn names() -> Vec<&'static str> {
+    rows().map(|row| row.name).collect()
+}
+
+/// The specimen of that name. `None` iff there is none.
+pub fn get(name: &str) -> Option<Specimen> {
+    rows().find(|row| row.name == name).map(Row::specimen)
+}
+
+fn rows() -> impl Iterator<Item = &'static Row> {
+    table::ROWS.iter().flat_map(|rows| rows.iter())
+}
