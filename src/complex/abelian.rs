@@ -28,6 +28,14 @@ impl AbelianGroup {
         torsion.retain(|t| *t != 1);
         AbelianGroup { rank: self.rank + other.rank, torsion }
     }
+
+    /// Whether the torsion is A ⊕ A for some A: that of H₁ is, if a closed orientable 3-manifold lies in ℝ⁴ without crossing itself
+    /// (CX-416; Hantzsche 1938).
+    #[doc(alias = "CX-416")]
+    pub fn torsion_is_double(&self) -> bool {
+        // With t₁ | t₂ | … the two summands A have every other coefficient.
+        self.torsion.chunks(2).all(|pair| pair.len() == 2 && pair[0] == pair[1])
+    }
 }
 
 impl Display for AbelianGroup {
@@ -55,7 +63,8 @@ fn superscript(n: usize) -> String {
 }
 
 impl ClosedComplex {
-    /// H₁ over ℤ, from the boundaries of its cells.
+    /// H₁ over ℤ, from the boundaries of its cells. Of a manifold the dual cells have the same (CX-408).
+    #[doc(alias = "CX-408")]
     pub fn first_homology(&self) -> AbelianGroup {
         let mut homology = self.chain_complex().homology();
         AbelianGroup { rank: homology.betti[1], torsion: homology.torsion.swap_remove(1) }

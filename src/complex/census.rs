@@ -4,7 +4,8 @@ use super::abelian::AbelianGroup;
 use super::closed_complex::ClosedComplex;
 use super::manifold::Manifold3;
 use super::scheme::{FaceId, GluingScheme, Pairing, Polyhedron, SchemeDefect};
-use crate::mesh::classify::{ClosedSurface, SPHERE};
+use crate::mesh::classify::{ClosedSurface, SPHERE, Surface};
+use std::fmt::{self, Display, Formatter};
 
 /// The gluings of a polyhedron's faces in twos, each with one of as many sides, by all 2n maps: face by face, each with a later
 /// one. They have numbers from 0 on.
@@ -36,13 +37,14 @@ impl Census {
     pub fn count(&self) -> Option<u128> {
         let mut open: Vec<usize> = self.polyhedron.faces.iter().map(Vec::len).collect();
         open.sort_unstable();
+        if open.chunk_by(|a, b| a == b).any(|same| same.len() % 2 == 1) {
+            return Some(0);
+        }
         let mut count: u128 = 1;
         while let Some(sides) = open.pop() {
             let partners = open.iter().filter(|n| **n == sides).count();
             count = count.checked_mul((partners * 2 * sides) as u128)?;
-            if partners > 0 {
-                open.pop();
-            }
+            open.pop();
         }
         Some(count)
     }
@@ -95,10 +97,28 @@ pub enum Kind {
     EdgeReversed,
 }
 
+impl Display for Kind {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Kind::Manifold { orientable, h1, cells: [v, e, _, _] } => {
+                let sides = if *orientable { "orientable" } else { "not orientable" };
+                write!(f, "manifold, {sides}, H₁ = {h1}, V = {v}, E = {e}")
+            }
+            Kind::NoManifold(links) => {
+                let named = |link: &ClosedSurface| Surface { closed: *link, boundary_loops: 0 }.to_string();
+                write!(f, "vertex-link: {}", links.iter().map(named).collect::<Vec<_>>().join(", "))
+            }
+            Kind::EdgeReversed => f.write_str("edge-reversed"),
+        }
+    }
+}
+
 /// What a scheme is.
 ///
 /// # Errors
 /// Iff it has a defect by itself ([`GluingScheme::defects`]).
+#[doc(alias = "CX-411")]
+#[doc(alias = "CX-412")]
 pub fn kind(scheme: GluingScheme) -> Result<Kind, Vec<SchemeDefect>> {
     let complex = match ClosedComplex::new(scheme) {
         Ok(complex) => complex,

@@ -11,6 +11,8 @@
 //! | [`stl`] | | `.stl` | ascii, binary |
 //! | [`obj`] | | `.obj` | positions and faces |
 //! | [`off`] | | `.off` | ascii: positions and faces, colours and normals passed over |
+//!
+//! Gluing schemes of 3-complexes have a text format of their own, [`scheme`].
 
 mod flat;
 pub mod npy;
@@ -19,6 +21,7 @@ pub mod obj;
 pub mod off;
 pub mod ply;
 mod ply_binary;
+pub mod scheme;
 pub mod stl;
 
 pub use flat::FlatMesh;

@@ -69,6 +69,7 @@ pub fn names() -> Vec<&'static str> {
 }
 
 /// The specimen of that name. `None` iff there is none.
+#[doc(alias = "CX-409")]
 pub fn get(name: &str) -> Option<Specimen> {
     rows().find(|row| row.name == name).map(Row::specimen)
 }

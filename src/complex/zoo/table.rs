@@ -917,7 +917,7 @@ const OTHERS: &[Row] = &[
     ),
     row("T3+RP3", "T³ and RP³ beside one another", [5, 9, 6, 2], true, 3, &[2], || beside("T3", "RP3"), "two cubes"),
     row(
-        "K_x_S1+Poincare",
+        "KxS1+Poincare",
         "K × S¹ and S³/2I beside one another",
         [6, 13, 9, 2],
         false,
