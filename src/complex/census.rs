@@ -67,7 +67,7 @@ impl Census {
             let b = partners[choice / (2 * n)];
             open.retain(|face| *face != b);
             let [a, b] = [a, b].map(|face| FaceId { polyhedron: 0, face });
-            let dir = if choice / n % 2 == 0 { 1 } else { -1 };
+            let dir = if (choice / n).is_multiple_of(2) { 1 } else { -1 };
             pairings.push(Pairing { a, b, shift: (choice % n) as i64, dir });
         }
         (rest == 0).then(|| GluingScheme { polyhedra: vec![self.polyhedron.clone()], pairings })

@@ -35,8 +35,18 @@ fn of(polyhedron: Polyhedron) -> Census {
     Census::new(polyhedron).expect("a ball")
 }
 
+/// The pairings of a gluing: faces, shift, dir.
+type Pairings = Vec<[i64; 4]>;
+
+/// How many gluings of a kind there are, and their classes under two groups.
+#[derive(Default)]
+struct Tally {
+    gluings: usize,
+    classes: [BTreeSet<Pairings>; 2],
+}
+
 /// The least of the images of a gluing under the symmetries.
-fn least(scheme: &GluingScheme, symmetries: &[Symmetry]) -> Vec<[i64; 4]> {
+fn least(scheme: &GluingScheme, symmetries: &[Symmetry]) -> Pairings {
     let key = |p: &Pairing| [p.a.face as i64, p.b.face as i64, p.shift, p.dir];
     let images = symmetries.iter().map(|symmetry| symmetry.image(scheme).iter().map(key).collect());
     images.min().expect("the identity is one")
@@ -46,23 +56,23 @@ fn least(scheme: &GluingScheme, symmetries: &[Symmetry]) -> Vec<[i64; 4]> {
 fn totals(census: &Census) -> String {
     let symmetries = symmetries(census.polyhedron());
     let rotations: Vec<Symmetry> = symmetries.iter().filter(|s| s.is_rotation()).cloned().collect();
-    let mut tally: BTreeMap<Kind, (usize, [BTreeSet<Vec<[i64; 4]>>; 2])> = BTreeMap::new();
+    let mut tally: BTreeMap<Kind, Tally> = BTreeMap::new();
     for scheme in census.gluings() {
         let kind = kind(scheme.clone()).expect("faces are matched");
         assert_eq!(kind, naive_kind(&scheme), "{:?}", scheme.pairings);
-        let (count, classes) = tally.entry(kind).or_default();
-        *count += 1;
-        classes[0].insert(least(&scheme, &symmetries));
-        classes[1].insert(least(&scheme, &rotations));
+        let of_kind = tally.entry(kind).or_default();
+        of_kind.gluings += 1;
+        of_kind.classes[0].insert(least(&scheme, &symmetries));
+        of_kind.classes[1].insert(least(&scheme, &rotations));
     }
-    let sum = |i: usize| tally.values().map(|(_, classes)| classes[i].len()).sum::<usize>();
-    let count = tally.values().map(|(count, _)| count).sum::<usize>();
+    let sum = |i: usize| tally.values().map(|of_kind| of_kind.classes[i].len()).sum::<usize>();
+    let count = tally.values().map(|of_kind| of_kind.gluings).sum::<usize>();
     assert_eq!(Some(count as u128), census.count());
     assert_eq!([sum(0), sum(1)], [&symmetries[..], &rotations].map(|group| by_burnside(census, group)));
     let mut lines = vec!["gluings, up to rotations and reflections, up to rotations".to_owned()];
     lines.push(format!("{count:5} {:4} {:4}  all", sum(0), sum(1)));
-    for (kind, (count, classes)) in &tally {
-        lines.push(format!("{count:5} {:4} {:4}  {kind}", classes[0].len(), classes[1].len()));
+    for (kind, Tally { gluings, classes }) in &tally {
+        lines.push(format!("{gluings:5} {:4} {:4}  {kind}", classes[0].len(), classes[1].len()));
     }
     lines.join("\n")
 }

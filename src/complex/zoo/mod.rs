@@ -6,9 +6,10 @@ mod bundle;
 mod convex;
 mod cubical;
 pub mod invalid;
+mod other_spaces;
 mod simplices;
 mod solids;
-mod table;
+mod spherical;
 
 pub use simplices::of_triangulation;
 
@@ -40,25 +41,43 @@ struct Row {
     name: &'static str,
     space: &'static str,
     about: &'static str,
+    known: Known,
+    scheme: fn() -> GluingScheme,
+}
+
+/// V, E, F, P; whether it is orientable; rank and torsion of H₁.
+struct Known {
     cells: [usize; 4],
     orientable: bool,
     rank: usize,
     torsion: &'static [u32],
+}
+
+const fn row(
+    name: &'static str,
+    space: &'static str,
+    about: &'static str,
+    known: Known,
     scheme: fn() -> GluingScheme,
+) -> Row {
+    Row { name, space, about, known, scheme }
+}
+
+/// Orientable.
+const fn two_sided(cells: [usize; 4], rank: usize, torsion: &'static [u32]) -> Known {
+    Known { cells, orientable: true, rank, torsion }
+}
+
+/// Not orientable.
+const fn one_sided(cells: [usize; 4], rank: usize, torsion: &'static [u32]) -> Known {
+    Known { cells, orientable: false, rank, torsion }
 }
 
 impl Row {
     fn specimen(&self) -> Specimen {
-        let h1 = AbelianGroup { rank: self.rank, torsion: self.torsion.iter().copied().map(Integer::from).collect() };
-        Specimen {
-            name: self.name,
-            space: self.space,
-            about: self.about,
-            cells: self.cells,
-            orientable: self.orientable,
-            h1,
-            scheme: (self.scheme)(),
-        }
+        let Row { name, space, about, known: Known { cells, orientable, rank, torsion }, scheme } = *self;
+        let h1 = AbelianGroup { rank, torsion: torsion.iter().copied().map(Integer::from).collect() };
+        Specimen { name, space, about, cells, orientable, h1, scheme: scheme() }
     }
 }
 
@@ -75,5 +94,7 @@ pub fn get(name: &str) -> Option<Specimen> {
 }
 
 fn rows() -> impl Iterator<Item = &'static Row> {
-    table::ROWS.iter().flat_map(|rows| rows.iter())
+    let spherical = [spherical::SPHERES, spherical::PROJECTIVE_AND_LENS, spherical::SPHERICAL];
+    let others = [other_spaces::FLAT, other_spaces::BUNDLES, other_spaces::SUMS, other_spaces::OTHERS];
+    spherical.into_iter().chain(others).flatten()
 }

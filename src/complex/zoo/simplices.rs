@@ -1,7 +1,7 @@
 //! Closed triangulations as schemes of tetrahedra.
 
 use super::super::permutation::Perm4;
-use super::super::scheme::{FaceId, GluingScheme, Pairing, Polyhedron};
+use super::super::scheme::{GluingScheme, Polyhedron};
 use super::super::triangulation::{TriangleGluing, Triangulation};
 use super::convex::by_corners;
 
@@ -34,13 +34,6 @@ pub(super) fn written(table: &str) -> GluingScheme {
     let words: Vec<TriangleGluing> = table.split_whitespace().map(gluing).collect();
     let (rows, _) = words.as_chunks::<4>();
     of_triangulation(&Triangulation::new(rows.to_vec()).expect("the gluings undo one another"))
-}
-
-/// Two tetrahedra, each face glued to the same one of the other.
-pub(super) fn doubled() -> GluingScheme {
-    let id = |polyhedron, face| FaceId { polyhedron, face };
-    let pairing = |face| Pairing { a: id(0, face), b: id(1, face), shift: 0, dir: 1 };
-    GluingScheme { polyhedra: vec![Polyhedron::tetrahedron(); 2], pairings: (0..4).map(pairing).collect() }
 }
 
 /// The manifold of the least volume, 0.9427…, found by Weeks and by Matveev and Fomenko: nine tetrahedra.
