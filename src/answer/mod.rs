@@ -14,6 +14,7 @@ pub mod mesh;
 pub mod mesh_check;
 pub mod mesh_report;
 pub mod message;
+pub mod scheme_file;
 pub mod trilinear;
 pub mod value;
 pub mod volume;

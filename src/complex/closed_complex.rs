@@ -21,6 +21,7 @@ impl ClosedComplex {
     ///
     /// # Errors
     /// Iff the scheme has a defect by itself, or an edge is glued to itself, tail to head: all of them, never none.
+    #[doc(alias = "CX-402")]
     pub fn new(scheme: GluingScheme) -> Result<ClosedComplex, Vec<SchemeDefect>> {
         let defects = scheme.defects();
         if !defects.is_empty() {
@@ -52,6 +53,7 @@ impl ClosedComplex {
     }
 
     /// χ = V − E + F − P.
+    #[doc(alias = "CX-406")]
     pub fn euler_characteristic(&self) -> i64 {
         let [v, e, f, p] = self.counts.map(|n| n as i64);
         v - e + f - p

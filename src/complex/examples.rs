@@ -4,14 +4,17 @@ use super::scheme::{FaceId, GluingScheme, Pairing, Polyhedron, SignedEdge};
 use std::collections::BTreeMap;
 
 impl Polyhedron {
-    /// The polyhedron with these faces, each the cycle of its vertices, all seen from one side. No face goes twice from one
-    /// vertex to another; edges are numbered as the faces come to them.
+    /// The polyhedron with these faces, each the cycle of its vertices, all seen from one side. Two vertices have one edge at
+    /// most; edges are numbered as the faces come to them.
     pub fn of_vertex_cycles(faces: &[Vec<u32>]) -> Polyhedron {
         let mut numbers: BTreeMap<[u32; 2], i32> = BTreeMap::new();
         let mut edges = Vec::new();
         let mut side = |from: u32, to: u32| {
-            if let Some(edge) = numbers.get(&[to, from]) {
-                return SignedEdge(-edge);
+            // Walked along the same way again it is the same edge too, and the polyhedron has that flaw.
+            match (numbers.get(&[from, to]), numbers.get(&[to, from])) {
+                (Some(edge), _) => return SignedEdge(*edge),
+                (None, Some(edge)) => return SignedEdge(-edge),
+                (None, None) => {}
             }
             edges.push([from, to]);
             numbers.insert([from, to], edges.len() as i32);
@@ -65,6 +68,7 @@ pub fn three_torus() -> GluingScheme {
 
 /// The lens space L(p, q): a ball whose upper p-gon is glued to the lower one after q steps around. For p and q not coprime
 /// it is a manifold too, another one.
+#[doc(alias = "CX-415")]
 pub fn lens_space(p: u32, q: u32) -> GluingScheme {
     // Lower corner i is vertex −i: vertex i goes to vertex i + q, which is corner −q − i.
     paired(Polyhedron::lens(p), &[(0, 1, -i64::from(q), -1)])

@@ -6,10 +6,12 @@
 
 pub mod abelian;
 pub mod barycentric;
+pub mod census;
 pub mod chain;
 pub mod check;
 pub mod closed_complex;
 pub mod euler;
+pub mod connected_sum;
 pub mod examples;
 pub mod facet_edge;
 pub mod facet_edge_map;
@@ -33,8 +35,10 @@ pub mod refine;
 pub mod relations;
 pub mod scheme;
 pub mod splice;
+pub mod symmetry;
 pub mod tetrahedra;
 pub mod tietze;
 pub mod triangulation;
 pub mod triangulation_chain;
 pub mod triangulation_link;
+pub mod zoo;

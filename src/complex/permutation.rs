@@ -10,7 +10,7 @@ impl Perm4 {
     /// Every corner where it is.
     pub const IDENTITY: Perm4 = Perm4([0, 1, 2, 3]);
 
-    /// The permutation i ↦ images[i]. `None` iff a number is missing.
+    /// The permutation i ↦ `images[i]`. `None` iff a number is missing.
     pub fn new(images: [u8; 4]) -> Option<Perm4> {
         (0..4).all(|i| images.contains(&i)).then_some(Perm4(images))
     }

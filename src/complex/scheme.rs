@@ -198,6 +198,7 @@ impl Reason {
 
 impl SchemeDefect {
     /// Its reason.
+    #[doc(alias = "CX-407")]
     pub fn reason(&self) -> Reason {
         match self {
             SchemeDefect::Empty | SchemeDefect::BadPolyhedron { .. } => Reason::BadPolyhedron,
@@ -227,6 +228,7 @@ impl GluingScheme {
 
     /// What is wrong with polyhedra and pairings by themselves, before anything is glued: polyhedra first, then pairings,
     /// then faces in none. Empty iff every polyhedron is a ball and the pairings match the faces in twos, sizes alike.
+    #[doc(alias = "CX-403")]
     pub fn defects(&self) -> Vec<SchemeDefect> {
         if self.polyhedra.is_empty() {
             return vec![SchemeDefect::Empty];
@@ -252,7 +254,7 @@ impl GluingScheme {
             if a == b {
                 defects.push(SchemeDefect::FaceGluedToItself { pairing, face: *a });
             }
-            for face in [*a, *b] {
+            for face in if a == b { vec![*a] } else { vec![*a, *b] } {
                 match *first_use.entry(face).or_insert(pairing) {
                     first if first == pairing => {}
                     first => defects.push(SchemeDefect::FaceInTwoPairings { face, pairings: [first, pairing] }),

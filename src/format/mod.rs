@@ -13,6 +13,7 @@
 //! | [`off`] | | `.off` | ascii: positions and faces, colours and normals passed over |
 //!
 //! Triangulations of 3-manifolds: [`snappea`].
+//! Gluing schemes of 3-complexes have a text format of their own, [`scheme`].
 
 mod flat;
 pub mod npy;
@@ -21,6 +22,7 @@ pub mod obj;
 pub mod off;
 pub mod ply;
 mod ply_binary;
+pub mod scheme;
 pub mod snappea;
 pub mod stl;
 
