@@ -11,6 +11,8 @@ pub mod flag;
 pub mod manifold;
 pub mod permutation;
 pub mod polyhedron;
+#[cfg(feature = "realise")]
+pub mod realise;
 pub mod scheme;
 pub mod tetrahedra;
 pub mod triangulation;

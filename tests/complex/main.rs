@@ -1,3 +1,5 @@
 //! Closed 3-complexes: each entry of spec/complex.md against a second derivation.
 
 mod ground;
+#[cfg(feature = "realise")]
+mod realise;

@@ -1,0 +1,4 @@
+//! Placing tetrahedra in ℝⁿ: the energy against exact differences, intersections against linear programs.
+
+mod domain;
+mod trial;
