@@ -31,44 +31,52 @@ pub struct Circuit {
 /// these are seen from the orientations of r + 1 points: r + 2 of them have λ_i = (−1)^i χ(all but i), r the dimension they span.
 #[doc(alias = "CX-505")]
 pub fn circuit(points: &[&[f64]], sides: &[Side]) -> Option<Circuit> {
-    let m = points.len();
-    let (coordinates, _) = spanning(points);
+    let coordinates = spanning(points);
     let r = coordinates.len();
     // Affinely independent points have no dependence.
-    if m < r + 2 {
+    if points.len() < r + 2 {
         return None;
     }
-    let mut known: Vec<Option<Sign>> = vec![None; 1 << m];
-    let mut chi = |set: usize| {
-        *known[set].get_or_insert_with(|| orientation(&members(set).map(|i| points[i]).collect::<Vec<_>>(), &coordinates))
-    };
-    for set in sets(m, r + 2) {
-        let mut signs = [Sign::Zero; 16];
+    let of_side = |side: Side| sides.iter().enumerate().map(|(i, s)| usize::from(*s != side) << i).sum::<usize>();
+    let (in_first, in_second) = (of_side(Side::Second), of_side(Side::First));
+    let mut known: Vec<Option<Sign>> = vec![None; 1 << points.len()];
+    for set in sets(points.len(), r + 2) {
+        let mut parts = [0_usize; 2];
         for (position, i) in members(set).enumerate() {
-            let sign = chi(set & !(1 << i));
-            signs[i] = if position % 2 == 0 { sign } else { -sign };
+            let others = set & !(1 << i);
+            let chi = *known[others].get_or_insert_with(|| chi(points, others, &coordinates));
+            match if position % 2 == 0 { chi } else { -chi } {
+                Sign::Zero => {}
+                Sign::Positive => parts[0] |= 1 << i,
+                Sign::Negative => parts[1] |= 1 << i,
+            }
         }
-        for wanted in [Sign::Positive, Sign::Negative] {
-            let part = |sign: Sign| members(set).filter(|i| signs[*i] == sign).collect::<Vec<_>>();
-            let (first, second) = (part(wanted), part(-wanted));
-            let fits = first.iter().all(|i| sides[*i] != Side::Second) && second.iter().all(|i| sides[*i] != Side::First);
-            if fits && !first.is_empty() {
-                return Some(Circuit { first, second });
+        let [positive, negative] = parts;
+        for [first, second] in [[positive, negative], [negative, positive]] {
+            if first != 0 && first & !in_first == 0 && second & !in_second == 0 {
+                return Some(Circuit { first: members(first).collect(), second: members(second).collect() });
             }
         }
     }
     None
 }
 
+/// The orientation of a set of the points.
+fn chi(points: &[&[f64]], set: usize, coordinates: &[usize]) -> Sign {
+    let mut chosen = [points[0]; usize::BITS as usize];
+    members(set).zip(&mut chosen).for_each(|(i, place)| *place = points[i]);
+    orientation(&chosen, coordinates)
+}
+
 /// Whether the points are affinely independent.
 pub fn independent(points: &[&[f64]]) -> bool {
-    spanning(points).0.len() + 1 == points.len()
+    spanning(points).len() + 1 == points.len()
 }
 
 /// The point in which the hulls of the circuit's two sides meet, exactly: Σ λ_p p over the first, with Σ λ_p = 1.
 pub fn common_point(first: &[&[f64]], second: &[&[f64]]) -> Vec<Rational> {
     let points = [first, second].concat();
-    let (coordinates, _) = spanning(&points);
+    let coordinates = spanning(&points);
     let weight = |i: usize| {
         let others: Vec<&[f64]> = points.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, p)| *p).collect();
         let size = determinant(&others, &coordinates);
@@ -83,21 +91,18 @@ pub fn common_point(first: &[&[f64]], second: &[&[f64]]) -> Vec<Rational> {
     (0..first[0].len()).map(coordinate).collect()
 }
 
-/// Coordinates, as many as the dimension that the points span, and as many points and one that are independent in them.
-fn spanning(points: &[&[f64]]) -> (Vec<usize>, usize) {
+/// Coordinates, as many as the dimension that the points span, in which some of the points span as much.
+fn spanning(points: &[&[f64]]) -> Vec<usize> {
     let n = points[0].len();
     for r in (1..=n.min(points.len() - 1)).rev() {
         for axes in sets(n, r) {
             let axes: Vec<usize> = members(axes).collect();
-            for set in sets(points.len(), r + 1) {
-                let chosen: Vec<&[f64]> = members(set).map(|i| points[i]).collect();
-                if orientation(&chosen, &axes) != Sign::Zero {
-                    return (axes, set);
-                }
+            if sets(points.len(), r + 1).any(|set| chi(points, set, &axes) != Sign::Zero) {
+                return axes;
             }
         }
     }
-    (Vec::new(), 1)
+    Vec::new()
 }
 
 /// The sets of `size` among 0 … n−1, as bits, in the order of these numbers.
@@ -105,6 +110,13 @@ fn sets(n: usize, size: usize) -> impl Iterator<Item = usize> {
     (0_usize..1 << n).filter(move |set| set.count_ones() as usize == size)
 }
 
-fn members(set: usize) -> impl Iterator<Item = usize> {
-    (0..usize::BITS as usize).filter(move |i| set >> i & 1 == 1)
+fn members(mut set: usize) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let i = set.trailing_zeros() as usize;
+        // A set without members has all its zeros trailing.
+        (set != 0).then(|| {
+            set &= set - 1;
+            i
+        })
+    })
 }

@@ -1,5 +1,6 @@
 //! Whether a placement is an embedding, exactly, and how many pairs of tetrahedra say that it is not.
 
+use super::apart::are_apart;
 use super::circuit::{Side, circuit, common_point, independent};
 use super::mesh::{NotSimplicial, TetrahedralMesh};
 use super::points::Points;
@@ -81,6 +82,10 @@ pub fn intersections(mesh: &TetrahedralMesh, points: &Points) -> Intersections {
 /// Disjoint faces of two tetrahedra, or of one, that meet.
 fn meeting(tetrahedra: &[[u32; 4]], points: &Points, [a, b]: [u32; 2]) -> Option<[Vec<u32>; 2]> {
     let [a, b] = [a, b].map(|t| tetrahedra[t as usize]);
+    let places = |t: [u32; 4]| t.map(|v| points.at(v as usize));
+    if a.iter().all(|v| !b.contains(v)) && are_apart(&places(a), &places(b)) {
+        return None;
+    }
     let mut vertices = a.to_vec();
     vertices.extend(b.iter().filter(|v| !a.contains(v)));
     let side = |v: &u32| match (a.contains(v), b.contains(v)) {

@@ -3,6 +3,7 @@
 //!
 //! Positions are binary64 and only as good as the minimum that was found; that two tetrahedra meet, or do not, is decided exactly.
 
+pub mod apart;
 pub mod circuit;
 pub mod energy;
 pub mod intersections;

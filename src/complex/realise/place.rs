@@ -18,7 +18,9 @@ const ROUNDS: usize = 40;
 /// Where an eigenvalue is multiple, the seed decides which of its vectors are taken.
 pub fn spectral(mesh: &TetrahedralMesh, n: usize, seed: u64) -> Vec<f64> {
     let mut parts = Partition::new(mesh.vertices());
-    mesh.edges().iter().for_each(|[v, w]| drop(parts.join(*v as usize, *w as usize)));
+    mesh.edges().iter().for_each(|[v, w]| {
+        parts.join(*v as usize, *w as usize);
+    });
     let component_of: Vec<usize> = (0..mesh.vertices()).map(|v| parts.find(v)).collect();
     let mut x = vec![0.0; n * mesh.vertices()];
     let mut random = Random(seed);
