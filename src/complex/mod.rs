@@ -6,6 +6,7 @@
 
 pub mod chain;
 pub mod closed_complex;
+pub mod embedding;
 pub mod examples;
 pub mod flag;
 pub mod manifold;

@@ -3,3 +3,4 @@
 mod ground;
 #[cfg(feature = "realise")]
 mod realise;
+mod embedding;
