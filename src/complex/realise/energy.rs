@@ -11,6 +11,7 @@ use crate::number::Rational;
 /// vertex is the mean of its neighbours. β ≥ 0 is its weight.
 #[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "CX-501")]
+#[doc(alias = "CX-507")]
 pub struct Energy {
     pub(super) vertices: usize,
     pub(super) edges: Vec<[u32; 2]>,

@@ -4,6 +4,7 @@
 //! Positions are binary64 and only as good as the minimum that was found; that two tetrahedra meet, or do not, is decided exactly.
 
 pub mod apart;
+pub mod circles;
 pub mod circuit;
 pub mod energy;
 pub mod intersections;
@@ -93,6 +94,7 @@ pub enum RealiseError {
 ///
 /// # Errors
 /// Iff a dimension or weight is out of its range, there is no tetrahedron, or the numbers overflow.
+#[doc(alias = "CX-510")]
 pub fn realise(mesh: &TetrahedralMesh, options: &Options) -> Result<Realised, RealiseError> {
     let n = options.dimension;
     if !(3..=6).contains(&n) {
@@ -114,19 +116,39 @@ pub fn realise(mesh: &TetrahedralMesh, options: &Options) -> Result<Realised, Re
     })
 }
 
-/// The spectral placement at its best scale, shaken by a thousandth: what lies on one place could never part otherwise.
+/// Where the minimisation starts: turned about the circles of H¹ where the mesh is connected, simplicial and has some, or else the
+/// spectral placement; at its best scale, components side by side, shaken by a thousandth: what lies on one place could never part
+/// otherwise.
 ///
 /// # Errors
 /// Iff the numbers overflow.
 pub fn start(mesh: &TetrahedralMesh, energy: &Energy, options: &Options) -> Result<Points, PointsError> {
     let n = options.dimension;
-    let mut x = place::spectral(mesh, n, options.seed);
+    let component_of = place::components(mesh);
+    let is_whole = component_of.iter().all(|first| *first == 0) && mesh.not_simplicial().is_none();
+    let turned = if is_whole { circles::turned(mesh, n, options.seed) } else { None };
+    let mut x = turned.unwrap_or_else(|| place::spectral(mesh, n, options.seed));
     let mut random = Random(options.seed);
     let size = x.iter().fold(0.0_f64, |max, x| max.max(x.abs())).max(1e-3);
     x.iter_mut().for_each(|x| *x += 1e-3 * size * random.number());
     let scale = energy.best_scale(&x, n);
     x.iter_mut().for_each(|x| *x *= scale);
+    side_by_side(&mut x, n, &component_of);
     Points::new(n, x)
+}
+
+/// Moves components along the first axis until their boxes are apart.
+fn side_by_side(x: &mut [f64], n: usize, component_of: &[usize]) {
+    let mut end = None;
+    for first in (0..component_of.len()).filter(|v| component_of[*v] == *v) {
+        let members: Vec<usize> = (0..component_of.len()).filter(|v| component_of[*v] == first).collect();
+        let bound = |choose: fn(f64, f64) -> f64| members.iter().map(|v| x[n * v]).reduce(choose).expect("a vertex");
+        let (least, greatest) = (bound(f64::min), bound(f64::max));
+        // What is moved grows a little as its edges find their lengths.
+        let shift = end.map_or(0.0, |end: f64| end + 3.0 + 0.5 * (greatest - least) - least);
+        members.iter().for_each(|v| x[n * v] += shift);
+        end = Some(greatest + shift + 0.5 * (greatest - least));
+    }
 }
 
 /// The lengths of the edges of a mesh with at least one.

@@ -17,11 +17,7 @@ const ROUNDS: usize = 40;
 ///
 /// Where an eigenvalue is multiple, the seed decides which of its vectors are taken.
 pub fn spectral(mesh: &TetrahedralMesh, n: usize, seed: u64) -> Vec<f64> {
-    let mut parts = Partition::new(mesh.vertices());
-    mesh.edges().iter().for_each(|[v, w]| {
-        parts.join(*v as usize, *w as usize);
-    });
-    let component_of: Vec<usize> = (0..mesh.vertices()).map(|v| parts.find(v)).collect();
+    let component_of = components(mesh);
     let mut x = vec![0.0; n * mesh.vertices()];
     let mut random = Random(seed);
     for first in (0..mesh.vertices()).filter(|v| component_of[*v] == *v) {
@@ -34,6 +30,21 @@ pub fn spectral(mesh: &TetrahedralMesh, n: usize, seed: u64) -> Vec<f64> {
         }
     }
     x
+}
+
+/// The coordinates of [`spectral`] in ℝᵏ one after another, those of all vertices each, the smoothest first.
+pub(super) fn smooth_functions(mesh: &TetrahedralMesh, k: usize, seed: u64) -> Vec<Vec<f64>> {
+    let x = spectral(mesh, k, seed);
+    (0..k).map(|i| x.iter().skip(i).step_by(k).copied().collect()).collect()
+}
+
+/// The component of each vertex, by its first vertex.
+pub(super) fn components(mesh: &TetrahedralMesh) -> Vec<usize> {
+    let mut parts = Partition::new(mesh.vertices());
+    mesh.edges().iter().for_each(|[v, w]| {
+        parts.join(*v as usize, *w as usize);
+    });
+    (0..mesh.vertices()).map(|v| parts.find(v)).collect()
 }
 
 /// A sequence of numbers that looks random and is the same for the same seed (splitmix64).

@@ -34,7 +34,6 @@ pub fn principal_axes(points: &Points) -> Points {
 }
 
 /// The points in ℝ³: in their principal axes, the last axis given up until three are left; missing ones are 0.
-#[doc(alias = "CX-507")]
 pub fn to_space(points: &Points, projection: Projection) -> Vec<[f64; 3]> {
     let mut rows: Vec<Vec<f64>> = principal_axes(points).iter().map(<[f64]>::to_vec).collect();
     for _ in 3..points.dimension() {
