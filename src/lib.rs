@@ -9,6 +9,7 @@
 //! | [`mesh`] | facts about any polygon mesh |
 //! | [`complex`] | closed 3-complexes: polyhedra glued face to face, and their tetrahedra |
 //! | [`format`](mod@format) | bytes ↔ unchecked records |
+//! | [`picture`] | realised complexes drawn: a still, a turning page, files for other programs |
 //! | [`answer`] | the question-and-answer protocol |
 //! | [`judge`] | the harness that judges a candidate |
 //! | [`spec`] | the formulas that are checked, each with its verdict |
@@ -37,5 +38,7 @@ pub mod linear;
 pub mod mesh;
 pub mod number;
 pub mod partition;
+#[cfg(feature = "cli")]
+pub mod picture;
 #[cfg(feature = "cli")]
 pub mod spec;

@@ -14,6 +14,7 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("mesh", &["number", "linear", "partition"]),
     ("complex", &["number", "linear", "partition", "mesh"]),
     ("format", &[]),
+    ("picture", &["complex", "format"]),
     ("spec", &[]),
     ("answer", &["number", "linear", "isosurface", "mesh", "complex", "format"]),
     ("judge", &["number", "linear", "partition", "isosurface", "mesh", "complex", "format", "answer"]),

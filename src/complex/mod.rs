@@ -12,6 +12,7 @@ pub mod check;
 pub mod closed_complex;
 pub mod euler;
 pub mod connected_sum;
+pub mod embedding;
 pub mod examples;
 pub mod facet_edge;
 pub mod facet_edge_map;
@@ -33,6 +34,8 @@ pub mod presentation;
 pub mod radial;
 pub mod refine;
 pub mod relations;
+#[cfg(feature = "realise")]
+pub mod realise;
 pub mod scheme;
 pub mod splice;
 pub mod symmetry;

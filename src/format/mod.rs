@@ -11,11 +11,16 @@
 //! | [`stl`] | | `.stl` | ascii, binary |
 //! | [`obj`] | | `.obj` | positions and faces |
 //! | [`off`] | | `.off` | ascii: positions and faces, colours and normals passed over |
+//! | [`vtu`] | | `.vtu` | nothing: tetrahedra and lines are written |
+//! | [`msh`] | | `.msh` | nothing: tetrahedra and lines are written |
+//! | [`gltf`] | | `.gltf` | nothing: coloured triangles and lines are written |
 //!
-//! Triangulations of 3-manifolds: [`snappea`].
-//! Gluing schemes of 3-complexes have a text format of their own, [`scheme`].
+//! Gluing schemes of 3-complexes have a text format of their own, [`scheme`]; triangulations of 3-manifolds are read and written as
+//! [`snappea`] has them.
 
 mod flat;
+pub mod gltf;
+pub mod msh;
 pub mod npy;
 pub mod nrrd;
 pub mod obj;
@@ -25,6 +30,7 @@ mod ply_binary;
 pub mod scheme;
 pub mod snappea;
 pub mod stl;
+pub mod vtu;
 
 pub use flat::FlatMesh;
 use std::fs::File;
@@ -127,6 +133,23 @@ pub struct MeshRecord {
     pub precision: Precision,
     /// Whether the format has no shared vertices (STL), so that face i has vertices 3i, 3i+1, 3i+2 of its own.
     pub soup: bool,
+}
+
+/// Tetrahedra and lines as a file is to have them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TetrahedraRecord {
+    /// Positions in ℝ³.
+    pub vertices: Vec<[f64; 3]>,
+    /// The number of coordinates in ℝⁿ.
+    pub dimension: usize,
+    /// The positions in ℝⁿ, one after another.
+    pub coordinates: Vec<f64>,
+    /// The corners of each tetrahedron, from 0.
+    pub tetrahedra: Vec<[u32; 4]>,
+    /// A number for each tetrahedron, such as that of its polyhedron.
+    pub groups: Vec<u32>,
+    /// The ends of each line.
+    pub lines: Vec<[u32; 2]>,
 }
 
 /// What a reader may allocate.
@@ -333,15 +356,15 @@ pub fn write_mesh(path: &Path, mesh: &MeshRecord) -> Result<(), FormatError> {
     })
 }
 
-fn at<T>(path: &Path, work: impl FnOnce() -> Result<T, Problem>) -> Result<T, FormatError> {
+pub(crate) fn at<T>(path: &Path, work: impl FnOnce() -> Result<T, Problem>) -> Result<T, FormatError> {
     work().map_err(|problem| FormatError { path: path.to_path_buf(), problem })
 }
 
-fn extension(path: &Path) -> String {
+pub(crate) fn extension(path: &Path) -> String {
     path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default()
 }
 
-fn unknown_extension(path: &Path, expected: &'static str) -> Problem {
+pub(crate) fn unknown_extension(path: &Path, expected: &'static str) -> Problem {
     Problem::Extension { found: extension(path), expected }
 }
 
@@ -349,7 +372,7 @@ fn open(path: &Path) -> Result<BufReader<File>, Problem> {
     Ok(BufReader::with_capacity(1 << 16, File::open(path)?))
 }
 
-fn create(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Problem>) -> Result<(), Problem> {
+pub(crate) fn create(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Problem>) -> Result<(), Problem> {
     let mut out = BufWriter::with_capacity(1 << 16, File::create(path)?);
     write(&mut out)?;
     Ok(out.flush()?)

@@ -33,3 +33,6 @@ mod naive_scheme;
 mod scheme_text;
 mod validity;
 mod zoo;
+#[cfg(feature = "realise")]
+mod realise;
+mod embedding;
