@@ -4,17 +4,23 @@ use super::complex_page::Page;
 use super::progress;
 use clap::{Args, value_parser};
 use isoracle::answer::scheme_file::{self, SchemeFileError};
+use isoracle::complex::check;
 use isoracle::complex::closed_complex::ClosedComplex;
 use isoracle::complex::gluing_table::GluingTable;
 use isoracle::complex::isosig;
-use isoracle::complex::manifold::Manifold3;
-use isoracle::complex::refine::{RefineError, fast};
+use isoracle::complex::realise::intersections::Intersections;
+use isoracle::complex::realise::mesh::{NotSimplicial, TetrahedralMesh};
+use isoracle::complex::realise::{self, Options, RealiseError, Realised};
+use isoracle::complex::refine::{RefineError, Refinement, fast};
 use isoracle::complex::scheme::GluingScheme;
 use isoracle::complex::triangulation::Triangulation;
 use isoracle::complex::zoo;
-use isoracle::format::{self, FormatError};
+use isoracle::format::FormatError;
+use isoracle::format::snappea::{self, SnapPeaRecord};
+use isoracle::picture::{self, Paint};
 use miette::Diagnostic;
-use std::ffi::OsStr;
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
@@ -247,13 +253,19 @@ fn paint(name: &str, complex: &ClosedComplex, refined: &Refinement) -> Paint {
 fn realisation(realised: &Realised) -> (String, Value) {
     let (n, lengths) = (realised.points.dimension(), realised.lengths);
     let [first, last] = [realised.energies.first(), realised.energies.last()].map(|e| e.copied().unwrap_or(0.0));
-    let pairs = realised.intersections.pairs;
-    let embedded = match realised.intersections.is_embedded() {
-        true => "embedded: no two simplices meet but in common ones".to_owned(),
-        false => format!("not embedded: {pairs} pairs of simplices without a common vertex meet"),
+    let Intersections { not_simplicial, flat, pairs, .. } = &realised.intersections;
+    let embedded = match (not_simplicial, realised.intersections.is_embedded()) {
+        (_, true) => "yes: tetrahedra meet in common triangles, edges and vertices only, decided exactly".to_owned(),
+        (Some(NotSimplicial::VertexTwice { .. }), false) => {
+            "no: a tetrahedron has a vertex twice, so the refinement is no simplicial complex".to_owned()
+        }
+        (Some(NotSimplicial::SameVertices { .. }), false) => {
+            "no: two simplices have the same vertices, so the refinement is no simplicial complex".to_owned()
+        }
+        (None, false) => format!("no: {pairs} pairs of tetrahedra meet outside their common part, {flat} tetrahedra are flat"),
     };
     let text = format!(
-        "placed in ℝ^{n}\n  energy                 {first:.4} to {last:.4} in {} steps\n  lengths of edges       {:.3} to {:.3}, mean {:.3}\n  {embedded}",
+        "placed in ℝ^{n}\n  energy                 {first:.4} to {last:.4} in {} steps\n  lengths of edges       {:.3} to {:.3}, mean {:.3}\n  embedded               {embedded}",
         realised.energies.len().saturating_sub(1),
         lengths.min,
         lengths.max,

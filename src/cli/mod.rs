@@ -7,6 +7,8 @@ mod answer;
 mod candidate;
 mod check;
 mod check_mesh;
+mod complex;
+mod complex_page;
 mod demo;
 mod input;
 mod isosurface;
@@ -40,6 +42,7 @@ enum Command {
     Answer(answer::Answer),
     Candidate(candidate::Candidate),
     Check(check::Check),
+    Complex(complex::Complex),
     Demo(demo::Demo),
     Isosurface(isosurface::Isosurface),
     Judge(judge::Judge),
@@ -56,6 +59,7 @@ pub fn main() -> ExitCode {
         Command::Answer(answer) => answer.run(),
         Command::Candidate(candidate) => candidate.run(),
         Command::Check(check) => check.run(),
+        Command::Complex(complex) => complex.run(),
         Command::Demo(demo) => demo.run(),
         Command::Isosurface(isosurface) => isosurface.run(),
         Command::Judge(judge) => judge.run(),

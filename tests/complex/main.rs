@@ -1,5 +1,8 @@
 //! Closed 3-complexes: each entry of spec/complex.md against a second derivation.
 
+mod census;
+mod connected_sums;
+mod embedding;
 mod euler;
 mod every_gluing;
 mod explore;
@@ -13,26 +16,19 @@ mod gluings;
 mod ground;
 mod homology;
 mod homology_fast;
-mod refine;
-mod splice;
-mod subdivided;
-mod gluings;
-mod ground;
+mod invalid_zoo;
+mod isosig;
+mod naive_scheme;
 mod radial;
+#[cfg(feature = "realise")]
+mod realise;
 mod refine;
 #[cfg(feature = "cli")]
 mod refine_answers;
-mod simplicial;
-mod subdivision;
-mod isosig;
-mod census;
-mod connected_sums;
-mod ground;
-mod invalid_zoo;
-mod naive_scheme;
 mod scheme_text;
+mod simplicial;
+mod splice;
+mod subdivided;
+mod subdivision;
 mod validity;
 mod zoo;
-#[cfg(feature = "realise")]
-mod realise;
-mod embedding;
