@@ -100,7 +100,9 @@ enum Failure {
     #[error("--out: {}: a {} file has no places", .path.display(), .extension)]
     #[diagnostic(help("--realise writes .ply, .vtu, .gltf, .msh, .svg or .html"))]
     Placed { path: PathBuf, extension: &'static str },
-    #[error("--out: {tetrahedra} tetrahedra are too many for a signature, which takes the square of their number in steps")]
+    #[error(
+        "--out: {tetrahedra} tetrahedra are too many for a signature, which takes the square of their number in steps"
+    )]
     #[diagnostic(help("at most 2,000; .gluings and .tri have no limit"))]
     TooManyToSign { tetrahedra: usize },
 }
@@ -119,12 +121,12 @@ impl Complex {
         }
         let name = self.scheme.as_deref().expect("it is required without --list");
         self.check_out()?;
-        let specimen = if Path::new(name).exists() { None } else { zoo::get(name) };
-        let scheme = match &specimen {
-            Some(specimen) => specimen.scheme.clone(),
-            None => read(name)?,
+        let known = if Path::new(name).exists() { None } else { example(name) };
+        let (about, scheme) = match known {
+            Some((about, scheme)) => (Some(about), scheme),
+            None => (None, read(name)?),
         };
-        let mut page = Page::of(name.to_owned(), specimen, scheme);
+        let mut page = Page::of(name.to_owned(), about, scheme);
         if page.defects.is_empty() {
             self.refine(&mut page)?;
         }
@@ -192,9 +194,8 @@ impl Complex {
     }
 
     fn write_combinatorial(&self, path: &Path, page: &Page, triangulation: &Triangulation) -> Result<(), Failure> {
-        let write = |text: String| {
-            fs::write(path, text).map_err(|error| Failure::Write { path: path.to_owned(), error })
-        };
+        let write =
+            |text: String| fs::write(path, text).map_err(|error| Failure::Write { path: path.to_owned(), error });
         match extension(path).as_str() {
             "isosig" if triangulation.len() > MAX_SIGNED => {
                 Err(Failure::TooManyToSign { tetrahedra: triangulation.len() })
@@ -212,11 +213,20 @@ impl Complex {
     }
 }
 
-/// A name, the space, H₁.
+/// The example of that name, manifold or not, and what it is.
+fn example(name: &str) -> Option<(String, GluingScheme)> {
+    let manifold = zoo::get(name).map(|specimen| (format!("{}: {}", specimen.space, specimen.about), specimen.scheme));
+    manifold.or_else(|| zoo::invalid::get(name).map(|broken| (broken.about.to_owned(), broken.scheme)))
+}
+
+/// A name, the space, H₁; then those that are no manifolds.
 fn list(mut out: impl Write) -> io::Result<()> {
     for specimen in zoo::names().into_iter().filter_map(zoo::get) {
         let sides = if specimen.orientable { "orientable" } else { "not orientable" };
         writeln!(out, "{:<28} {}; {sides}, H₁ = {}", specimen.name, specimen.space, specimen.h1)?;
+    }
+    for broken in zoo::invalid::all() {
+        writeln!(out, "{:<28} no manifold, {}; {}", broken.name, broken.defect.reason().name(), broken.about)?;
     }
     out.flush()
 }
@@ -237,9 +247,8 @@ fn paint(name: &str, complex: &ClosedComplex, refined: &Refinement) -> Paint {
     let flags = complex.tetrahedron_flags();
     let edges: Vec<u32> = flags.iter().map(|flag| complex.cell(1, *flag)).collect();
     let small = (k as usize).pow(3);
-    let point = |tetrahedron: usize, i: u32| {
-        refined.vertex(tetrahedron, [k - i, i, 0, 0]).expect("a point of the edge")
-    };
+    let point =
+        |tetrahedron: usize, i: u32| refined.vertex(tetrahedron, [k - i, i, 0, 0]).expect("a point of the edge");
     let lines = (0..flags.len()).flat_map(|t| (0..k).map(move |i| [point(t, i), point(t, i + 1)]));
     Paint {
         title: format!("{name}, refined to order {k}"),
@@ -262,10 +271,13 @@ fn realisation(realised: &Realised) -> (String, Value) {
         (Some(NotSimplicial::SameVertices { .. }), false) => {
             "no: two simplices have the same vertices, so the refinement is no simplicial complex".to_owned()
         }
-        (None, false) => format!("no: {pairs} pairs of tetrahedra meet outside their common part, {flat} tetrahedra are flat"),
+        (None, false) => {
+            format!("no: {pairs} pairs of tetrahedra meet outside their common part, {flat} tetrahedra are flat")
+        }
     };
     let text = format!(
-        "placed in ℝ^{n}\n  energy                 {first:.4} to {last:.4} in {} steps\n  lengths of edges       {:.3} to {:.3}, mean {:.3}\n  embedded               {embedded}",
+        "placed in ℝ{}\n  energy                 {first:.4} to {last:.4} in {} steps\n  lengths of edges       {:.3} to {:.3}, mean {:.3}\n  embedded               {embedded}",
+        ["³", "⁴", "⁵", "⁶"].get(n - 3).expect("from 3 to 6"),
         realised.energies.len().saturating_sub(1),
         lengths.min,
         lengths.max,
@@ -283,7 +295,9 @@ fn realisation(realised: &Realised) -> (String, Value) {
 }
 
 #[derive(Debug, Error)]
-#[error("tetrahedra are written as .tri, .isosig or .gluings, a scheme as .scheme, and with --realise as .ply, .vtu, .gltf, .msh, .svg or .html")]
+#[error(
+    "tetrahedra are written as .tri, .isosig or .gluings, a scheme as .scheme, and with --realise as .ply, .vtu, .gltf, .msh, .svg or .html"
+)]
 struct NotAnOutput;
 
 /// The extension is checked before the work begins.

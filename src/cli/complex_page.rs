@@ -9,7 +9,6 @@ use isoracle::complex::manifold::Manifold3;
 use isoracle::complex::presentation::Presentation;
 use isoracle::complex::refine::counts::printed_counts;
 use isoracle::complex::scheme::{GluingScheme, SchemeDefect};
-use isoracle::complex::zoo::Specimen;
 use isoracle::mesh::classify::{ClosedSurface, Surface};
 use isoracle::mesh::homology::Homology;
 use serde_json::{Map, Value, json};
@@ -24,8 +23,8 @@ const MAX_SIGNED: usize = 400;
 pub struct Page {
     /// What it was called on the command line.
     pub name: String,
-    /// What the zoo says of it.
-    pub specimen: Option<Specimen>,
+    /// What is known of it, where it is an example.
+    pub about: Option<String>,
     /// The scheme.
     pub scheme: GluingScheme,
     /// Its complex, where its cells are cells.
@@ -40,7 +39,7 @@ pub struct Page {
 
 impl Page {
     /// The page of a scheme, its refinement not yet on it.
-    pub fn of(name: String, specimen: Option<Specimen>, scheme: GluingScheme) -> Page {
+    pub fn of(name: String, about: Option<String>, scheme: GluingScheme) -> Page {
         let (complex, defects) = match ClosedComplex::new(scheme.clone()) {
             Err(defects) => (None, defects),
             Ok(complex) => {
@@ -48,14 +47,14 @@ impl Page {
                 (Some(complex), defects)
             }
         };
-        Page { name, specimen, scheme, complex, defects, refinement: None, more: Vec::new() }
+        Page { name, about, scheme, complex, defects, refinement: None, more: Vec::new() }
     }
 
     /// As text.
     pub fn write_text(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "{}: {}", self.name, self.verdict())?;
-        if let Some(specimen) = &self.specimen {
-            writeln!(out, "  {}: {}", specimen.space, specimen.about)?;
+        if let Some(about) = &self.about {
+            writeln!(out, "  {about}")?;
         }
         for defect in &self.defects {
             writeln!(out, "  {:<23}{defect}", defect.reason().name())?;
@@ -107,7 +106,11 @@ impl Page {
 
 fn write_cells(out: &mut impl Write, complex: &ClosedComplex) -> io::Result<()> {
     let [v, e, f, p] = complex.counts();
-    writeln!(out, "  cells                  V = {v}, E = {e}, F = {f}, P = {p}, χ = {}", complex.euler_characteristic())?;
+    writeln!(
+        out,
+        "  cells                  V = {v}, E = {e}, F = {f}, P = {p}, χ = {}",
+        complex.euler_characteristic()
+    )?;
     writeln!(out, "  face-edge pairs        t = {}", complex.facet_edge_pairs())?;
     writeln!(out, "  faces around an edge   {}", tally(complex.edge_ring_sizes()))?;
     writeln!(out, "  sides of a face        {}", tally(complex.face_degrees()))?;
