@@ -1,6 +1,8 @@
 //! The fast homology of triangulations against Smith's form of all their chains.
 
-use crate::every_gluing::{beside, is_long, named, one_tetrahedron, random_triangulation, small_complexes};
+use crate::every_gluing::{
+    beside, is_long, named, one_tetrahedron, random_triangulation, small_complexes, surface_times_circle,
+};
 use crate::subdivided::subdivided;
 use isoracle::complex::abelian::AbelianGroup;
 use isoracle::complex::closed_complex::ClosedComplex;
@@ -63,6 +65,13 @@ mod cx_315 {
         }
         let (_, klein) = named().into_iter().find(|(name, _)| *name == "Klein bottle × S¹").expect("it is there");
         assert_eq!(homology(&subdivided(&klein.barycentric())), Ok(klein.chain_complex().homology()));
+    }
+
+    #[test]
+    fn many_generators_are_told_apart() {
+        let space = ClosedComplex::new(surface_times_circle(5)).expect("a manifold");
+        let homology = homology(&subdivided(&space.tetrahedra())).expect("directed");
+        assert_eq!((homology.betti, homology.torsion.concat()), (vec![1, 11, 11, 1], vec![]));
     }
 
     #[test]
