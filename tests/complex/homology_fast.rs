@@ -179,4 +179,20 @@ mod cx_316 {
         assert_eq!(group.group(), AbelianGroup { rank: 0, torsion: vec![Integer::from(6)] });
         assert_eq!(Relations::negative(0), 0);
     }
+
+    #[test]
+    fn an_element_has_one_form_whichever_sign_was_told() {
+        for turned in [false, true] {
+            let mut group = Relations::new();
+            let a = group.generator();
+            let [twice, four, six] = [1, 2, 3].map(|n| {
+                let two = group.sum(a, a);
+                (1..n).fold(two, |sum, _| group.sum(sum, two))
+            });
+            group.tell(if turned { Relations::negative(six) } else { six });
+            let minus = Relations::negative(a);
+            assert_eq!(group.sum(minus, minus), four);
+            assert_eq!(group.sum(four, four), twice);
+        }
+    }
 }
