@@ -5,7 +5,8 @@
 //! - `shuffled 55`: its tetrahedra in random order, the corners of each too;
 //! - `torn 55`: its cubes in one block, whose opposite sides are glued square to square at random;
 //! - `lenses 6 1000`: a thousand lens spaces L(p, 1), p from 2 to 7, subdivided once;
-//! - `lens 5 2 3`: the lens space L(5, 2), subdivided barycentrically three times.
+//! - `lens 5 2 3`: the lens space L(5, 2), subdivided barycentrically three times;
+//! - `product 200 2`: the surface of genus 200 times a circle, subdivided twice.
 //!
 //! Those words after `--` take that one alone.
 
@@ -13,16 +14,17 @@
 mod subdivided;
 
 use isoracle::complex::closed_complex::ClosedComplex;
-use isoracle::complex::examples::lens_space;
+use isoracle::complex::examples::{lens_space, paired};
 use isoracle::complex::homology_fast::homology;
 use isoracle::complex::kuhn_torus::kuhn_torus;
 use isoracle::complex::permutation::Perm4;
+use isoracle::complex::scheme::{GluingScheme, Polyhedron};
 use isoracle::complex::triangulation::{TriangleGluing, Triangulation};
 use isoracle::number::Integer;
 use std::process::Command;
 use std::time::Instant;
 
-const CASES: [&str; 5] = ["torus 55", "shuffled 55", "torn 55", "lenses 6 1000", "lens 5 2 3"];
+const CASES: [&str; 6] = ["torus 55", "shuffled 55", "torn 55", "lenses 6 1000", "lens 5 2 3", "product 200 2"];
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with("--")).collect();
@@ -45,6 +47,10 @@ fn main() {
         ("lens", [p, q, times]) => {
             (0..*times).fold(lens(*p as u32, *q as u32), |coarse, _| subdivided::subdivided(&coarse))
         }
+        ("product", [genus, times]) => {
+            let space = ClosedComplex::new(surface_times_circle(*genus)).expect("a manifold");
+            (0..*times).fold(space.tetrahedra(), |coarse, _| subdivided::subdivided(&coarse))
+        }
         _ => panic!("no such case: {}", words.join(" ")),
     };
     take(&words.join(" "), &triangulation);
@@ -52,6 +58,14 @@ fn main() {
 
 fn lens(p: u32, q: u32) -> Triangulation {
     ClosedComplex::new(lens_space(p, q)).expect("a lens space").tetrahedra()
+}
+
+/// The prism over a 4g-gon, g ≥ 1, top glued to bottom, sides four by four as a b A B.
+fn surface_times_circle(genus: usize) -> GluingScheme {
+    let n = 4 * genus;
+    let sides = (0..genus).flat_map(|k| [0, 1].map(|i| (2 + 4 * k + i, 4 + 4 * k + i, 1, -1)));
+    let pairs: Vec<_> = [(0, 1, n as i64 - 1, -1)].into_iter().chain(sides).collect();
+    paired(Polyhedron::prism(n as u32), &pairs)
 }
 
 fn beside<'a>(all: impl Iterator<Item = &'a Triangulation>) -> Triangulation {

@@ -169,13 +169,13 @@ fn signature(complex: &ClosedComplex) -> Option<String> {
 }
 
 fn homology_text(homology: &Homology) -> String {
-    let group = |(k, name)| format!("{name} = {}", AbelianGroup::homology(homology, k));
+    let group = |(k, name)| format!("{name} = {}", AbelianGroup::of_homology(homology, k));
     (0..).zip(["H₀", "H₁", "H₂", "H₃"]).map(group).collect::<Vec<_>>().join(", ")
 }
 
 fn homology_json(homology: &Homology) -> Value {
     let group = |(k, name): (usize, &str)| {
-        let AbelianGroup { rank, torsion } = AbelianGroup::homology(homology, k);
+        let AbelianGroup { rank, torsion } = AbelianGroup::of_homology(homology, k);
         let torsion = torsion.iter().map(|n| serde_json::from_str::<Value>(&n.to_string()).expect("digits"));
         (name.to_owned(), json!({"rank": rank, "torsion": torsion.collect::<Vec<_>>()}))
     };

@@ -1,42 +1,19 @@
-//! Finitely generated abelian groups, up to isomorphism.
+//! Finitely generated abelian groups, such as first homology groups are.
 
 use super::closed_complex::ClosedComplex;
-use crate::mesh::homology::{Homology, divisors};
 use crate::number::Integer;
-use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
 
-/// ℤ^rank ⊕ ℤ/t₁ ⊕ ℤ/t₂ ⊕ … with 1 < t₁ | t₂ | … Two groups are isomorphic iff they are equal.
+/// ℤ^rank ⊕ ℤ/t₁ ⊕ ℤ/t₂ ⊕ … with 1 < t₁ | t₂ | …, which every finitely generated abelian group is in one way.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct AbelianGroup {
-    /// The number of summands ℤ.
+    /// How often ℤ stands in it.
     pub rank: usize,
-    /// The orders of the finite cyclic summands.
+    /// t₁, t₂, …
     pub torsion: Vec<Integer>,
 }
 
 impl AbelianGroup {
-    /// The group of so many generators with these relations: each the coefficients, by generator, of a sum that is 0.
-    pub fn of_relations(generators: usize, relations: Vec<BTreeMap<usize, Integer>>) -> AbelianGroup {
-        let divisors = divisors(relations);
-        let rank = generators - divisors.len();
-        AbelianGroup { rank, torsion: divisors.into_iter().filter(|t| *t != 1).collect() }
-    }
-
-    /// H_k; the group 0 above the dimension.
-    pub fn homology(homology: &Homology, k: usize) -> AbelianGroup {
-        AbelianGroup {
-            rank: homology.betti.get(k).copied().unwrap_or(0),
-            torsion: homology.torsion.get(k).cloned().unwrap_or_default(),
-        }
-    }
-
-    /// Whether its torsion is A ⊕ A for a group A (CX-317). H₁ of an orientable closed 3-manifold in four dimensions is so.
-    #[doc(alias = "CX-317")]
-    pub fn has_doubled_torsion(&self) -> bool {
-        self.torsion.len().is_multiple_of(2) && self.torsion.chunks(2).all(|pair| pair[0] == pair[1])
-    }
-
     /// The sum of the two.
     pub fn sum(&self, other: &AbelianGroup) -> AbelianGroup {
         let mut torsion = [&self.torsion[..], &other.torsion].concat();
@@ -52,9 +29,12 @@ impl AbelianGroup {
         AbelianGroup { rank: self.rank + other.rank, torsion }
     }
 
-    /// Whether it has one element only.
-    pub fn is_trivial(&self) -> bool {
-        self.rank == 0 && self.torsion.is_empty()
+    /// Whether the torsion is A ⊕ A for some A: that of H₁ is, if a closed orientable 3-manifold lies in ℝ⁴ without crossing itself
+    /// (CX-416; Hantzsche 1938).
+    #[doc(alias = "CX-416")]
+    pub fn torsion_is_double(&self) -> bool {
+        // With t₁ | t₂ | … the two summands A have every other coefficient.
+        self.torsion.chunks(2).all(|pair| pair.len() == 2 && pair[0] == pair[1])
     }
 }
 

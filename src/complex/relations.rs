@@ -1,7 +1,7 @@
 //! Sums of generators of an abelian group whose relations become known one by one.
 
 use super::abelian::AbelianGroup;
-use crate::mesh::homology::{divisors, into_divisor_chain};
+use crate::mesh::homology::{Homology, divisors, into_divisor_chain};
 use crate::number::Integer;
 use crate::partition::Partition;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -135,6 +135,24 @@ impl Relations {
         self.numbers.insert(negative.clone(), number + 1);
         self.elements.extend([sum, negative]);
         number
+    }
+}
+
+impl AbelianGroup {
+    /// The group of so many generators with these relations: each the coefficients, by generator, of a sum that is 0. The plain
+    /// twin of [`Relations`].
+    pub fn of_relations(generators: usize, relations: Vec<BTreeMap<usize, Integer>>) -> AbelianGroup {
+        let divisors = divisors(relations);
+        let rank = generators - divisors.len();
+        AbelianGroup { rank, torsion: divisors.into_iter().filter(|t| *t != 1).collect() }
+    }
+
+    /// H_k; the group 0 above the dimension.
+    pub fn of_homology(homology: &Homology, k: usize) -> AbelianGroup {
+        AbelianGroup {
+            rank: homology.betti.get(k).copied().unwrap_or(0),
+            torsion: homology.torsion.get(k).cloned().unwrap_or_default(),
+        }
     }
 }
 

@@ -136,6 +136,14 @@ pub fn dodecahedron(turn: i64) -> GluingScheme {
     paired(Polyhedron::of_vertex_cycles(&faces), &pairs)
 }
 
+/// The prism over a 4g-gon, g ≥ 1, top glued to bottom, sides four by four as a b A B: the surface of genus g times a circle.
+pub fn surface_times_circle(genus: usize) -> GluingScheme {
+    let n = 4 * genus;
+    let sides = (0..genus).flat_map(|k| [0, 1].map(|i| (2 + 4 * k + i, 4 + 4 * k + i, 1, -1)));
+    let pairs: Vec<_> = [(0, 1, n as i64 - 1, -1)].into_iter().chain(sides).collect();
+    paired(Polyhedron::prism(n as u32), &pairs)
+}
+
 /// Named spaces, with one scheme each.
 pub fn named() -> Vec<(&'static str, ClosedComplex)> {
     let cube = |pairs: &[(usize, usize, i64, i64)]| paired(Polyhedron::cube(), pairs);
@@ -147,6 +155,7 @@ pub fn named() -> Vec<(&'static str, ClosedComplex)> {
         ("L(5,2)", lens_space(5, 2)),
         ("L(7,3)", lens_space(7, 3)),
         ("Klein bottle × S¹", cube(&[(0, 1, 3, -1), (2, 4, 1, -1), (3, 5, 0, 1)])),
+        ("genus 2 × S¹", surface_times_circle(2)),
         ("T³ and L(3,1)", schemes_beside(&[three_torus(), lens_space(3, 1)])),
     ];
     let complex =

@@ -34,7 +34,7 @@ fn manifold(scheme: GluingScheme) -> Manifold3 {
 
 /// H₁ of a complex as one group, the sum over its components.
 fn h1(complex: &ClosedComplex) -> AbelianGroup {
-    AbelianGroup::homology(&complex.chain_complex().homology(), 1)
+    AbelianGroup::of_homology(&complex.chain_complex().homology(), 1)
 }
 
 fn abelian(rank: usize, torsion: &[u32]) -> AbelianGroup {
@@ -140,7 +140,7 @@ mod cx_310 {
         let sphere = manifold(dodecahedron(POINCARE));
         assert_eq!(sphere.counts(), [5, 10, 6, 1]);
         let group = &sphere.fundamental_groups()[0];
-        assert!(h1(&sphere).is_trivial() && group.abelianisation().is_trivial());
+        assert!([h1(&sphere), group.abelianisation()].iter().all(|group| *group == abelian(0, &[])));
         // The binary icosahedral group leads onto A₅ in |Aut A₅| = 120 ways, and to 1.
         assert_eq!(group.simplified().homomorphism_count(&FiniteGroup::alternating(5)), 121);
         assert_eq!(group.simplified().homomorphism_count(&FiniteGroup::symmetric(4)), 1);
@@ -233,7 +233,7 @@ mod cx_312 {
         assert_eq!(group(2, &["aabb"]).abelianisation(), abelian(1, &[2]));
         assert_eq!(group(2, &["aaaa", "bbbbbb"]).abelianisation(), abelian(0, &[2, 12]));
         assert_eq!(group(2, &["aaaa", "bbbbbb"]).abelianisation().to_string(), "ℤ/2 ⊕ ℤ/12");
-        assert_eq!(group(3, &["aab"]).abelianisation().to_string(), "ℤ^2");
+        assert_eq!(group(3, &["aab"]).abelianisation().to_string(), "ℤ²");
         assert_eq!(group(1, &["a"]).abelianisation().to_string(), "0");
     }
 }
@@ -342,48 +342,5 @@ mod cx_314 {
             let twice = [&cyclic[..], &cyclic].concat();
             prop_assert_eq!(freely_reduced(&twice), twice);
         }
-    }
-}
-
-mod cx_317 {
-    use super::*;
-
-    #[test]
-    fn four_dimensions_do_not_suffice_for_the_projective_space() {
-        let space = manifold(lens_space(2, 1));
-        // As printed: orientable, so four dimensions suffice.
-        let printed = space.is_orientable();
-        assert!(printed && !h1(&space).has_doubled_torsion());
-    }
-
-    #[test]
-    fn torsion_is_doubled_iff_each_power_of_a_prime_stands_an_even_number_of_times() {
-        let cases: [(&[u32], bool); 7] = [
-            (&[], true),
-            (&[5], false),
-            (&[2, 2], true),
-            (&[2, 4], false),
-            (&[2, 2, 2], false),
-            (&[2, 2, 4, 4], true),
-            (&[2, 4, 4, 8], false),
-        ];
-        for (torsion, doubled) in cases {
-            assert_eq!(abelian(1, torsion).has_doubled_torsion(), doubled);
-            // Over each prime: the exponents, each an even number of times.
-            let even = [2_u32, 3, 5].iter().all(|p| {
-                let mut exponents = [0; 5];
-                torsion.iter().for_each(|t| exponents[(1..5).filter(|e| t % p.pow(*e) == 0).count()] += 1);
-                exponents[1..].iter().all(|n| n % 2 == 0)
-            });
-            assert_eq!(even, doubled);
-        }
-        // T³, S³ and the Poincaré sphere lie in four dimensions as far as this tells; the Seifert–Weber space does not.
-        assert!(
-            [three_torus(), lens_space(1, 0), dodecahedron(POINCARE)]
-                .map(|s| h1(&complex(s)))
-                .iter()
-                .all(AbelianGroup::has_doubled_torsion)
-        );
-        assert!(!h1(&complex(dodecahedron(1))).has_doubled_torsion());
     }
 }

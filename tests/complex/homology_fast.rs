@@ -1,6 +1,8 @@
 //! The fast homology of triangulations against Smith's form of all their chains.
 
-use crate::every_gluing::{beside, is_long, named, one_tetrahedron, random_triangulation, small_complexes};
+use crate::every_gluing::{
+    beside, is_long, named, one_tetrahedron, random_triangulation, small_complexes, surface_times_circle,
+};
 use crate::subdivided::subdivided;
 use isoracle::complex::abelian::AbelianGroup;
 use isoracle::complex::closed_complex::ClosedComplex;
@@ -63,6 +65,13 @@ mod cx_315 {
         }
         let (_, klein) = named().into_iter().find(|(name, _)| *name == "Klein bottle × S¹").expect("it is there");
         assert_eq!(homology(&subdivided(&klein.barycentric())), Ok(klein.chain_complex().homology()));
+    }
+
+    #[test]
+    fn many_generators_are_told_apart() {
+        let space = ClosedComplex::new(surface_times_circle(5)).expect("a manifold");
+        let homology = homology(&subdivided(&space.tetrahedra())).expect("directed");
+        assert_eq!((homology.betti, homology.torsion.concat()), (vec![1, 11, 11, 1], vec![]));
     }
 
     #[test]
@@ -169,5 +178,21 @@ mod cx_316 {
         assert_ne!(group.sum(twice, a), 0);
         assert_eq!(group.group(), AbelianGroup { rank: 0, torsion: vec![Integer::from(6)] });
         assert_eq!(Relations::negative(0), 0);
+    }
+
+    #[test]
+    fn an_element_has_one_form_whichever_sign_was_told() {
+        for turned in [false, true] {
+            let mut group = Relations::new();
+            let a = group.generator();
+            let [twice, four, six] = [1, 2, 3].map(|n| {
+                let two = group.sum(a, a);
+                (1..n).fold(two, |sum, _| group.sum(sum, two))
+            });
+            group.tell(if turned { Relations::negative(six) } else { six });
+            let minus = Relations::negative(a);
+            assert_eq!(group.sum(minus, minus), four);
+            assert_eq!(group.sum(four, four), twice);
+        }
     }
 }
