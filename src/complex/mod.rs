@@ -10,6 +10,7 @@ pub mod examples;
 pub mod flag;
 pub mod gluing_table;
 pub mod isosig;
+pub mod isosig_fast;
 pub mod manifold;
 pub mod permutation;
 pub mod polyhedron;
