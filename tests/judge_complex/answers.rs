@@ -150,6 +150,11 @@ mod cx_606 {
             let mut refuses = Altered(|_: &str, _: &Value, _| Reply::Error { kind: kind.into(), message: "n".into() });
             let judgement = SUITE.ask(&mut refuses, &question(&three_torus()));
             assert!(matches!(judgement, Judgement::Wrong { fault: "refused", .. }), "{kind}");
+            // Where nothing can be glued, this is the kind of error.
+            let mut unpaired = question(&three_torus());
+            unpaired.scheme.pairings.clear();
+            let is_right = matches!(SUITE.ask(&mut refuses, &unpaired), Judgement::Right { .. });
+            assert_eq!(is_right, kind == "invalid-input");
         }
     }
 
