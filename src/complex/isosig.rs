@@ -21,31 +21,42 @@ const TO_A_KNOWN_ONE: u8 = 2;
 ///
 /// That of a connected one of n tetrahedra is the least, by the bytes of ASCII, of 24 n words, one for each tetrahedron to
 /// begin with and each order of its corners; of others, those of the components, in order. Of none it is `a`.
-/// Takes 96 n² steps at most: seconds for 1,000 tetrahedra.
+/// Takes 96 n² steps: seconds for 1,000 tetrahedra. [`isosig_fast`](super::isosig_fast) gives up most words early.
 #[doc(alias = "CX-601")]
 pub fn signature(triangulation: &Triangulation) -> String {
+    of_components(triangulation, |component| {
+        let words = beginnings(component).map(|(begin, labels)| Walk::new(triangulation, begin, labels).word());
+        words.min().expect("a component has a tetrahedron")
+    })
+}
+
+/// The words of the components, in order.
+pub(super) fn of_components(triangulation: &Triangulation, word: impl Fn(&[usize]) -> String) -> String {
     let mut seen = vec![false; triangulation.len()];
-    let mut of_components = Vec::new();
+    let mut words = Vec::new();
     for first in 0..triangulation.len() {
         if seen[first] {
             continue;
         }
-        let walk = Walk::new(triangulation, first, Perm4::IDENTITY);
-        walk.order.iter().for_each(|tetrahedron| seen[*tetrahedron] = true);
-        let beginnings = walk.order.iter().flat_map(|begin| Perm4::all().map(move |labels| (*begin, labels)));
-        let words = beginnings.map(|(begin, labels)| Walk::new(triangulation, begin, labels).word());
-        of_components.push(words.min().expect("a component has a tetrahedron"));
+        let component = Walk::new(triangulation, first, Perm4::IDENTITY).order;
+        component.iter().for_each(|tetrahedron| seen[*tetrahedron] = true);
+        words.push(word(&component));
     }
-    if of_components.is_empty() {
+    if words.is_empty() {
         return digit(0).to_string();
     }
-    of_components.sort_unstable();
-    of_components.concat()
+    words.sort_unstable();
+    words.concat()
+}
+
+/// Each tetrahedron with each order of its corners.
+pub(super) fn beginnings(component: &[usize]) -> impl Iterator<Item = (usize, Perm4)> {
+    component.iter().flat_map(|begin| Perm4::all().map(move |labels| (*begin, labels)))
 }
 
 /// A component walked from one tetrahedron, whose corners have new names: triangles in the order of their new names, tetrahedra
 /// in the order in which they are come to. One that is new takes the names of its corners from across the triangle.
-struct Walk {
+pub(super) struct Walk {
     /// The tetrahedra as they were come to.
     order: Vec<usize>,
     /// What becomes of each triangle that is not glued to an earlier one.
@@ -57,6 +68,16 @@ struct Walk {
 impl Walk {
     /// The walk from that tetrahedron, corner i of which is called `labels`(i).
     fn new(triangulation: &Triangulation, begin: usize, labels: Perm4) -> Walk {
+        Walk::so_long_as(triangulation, begin, labels, |_| true).expect("it goes on to its end")
+    }
+
+    /// The same, given up as soon as something does not hold of the actions up to there.
+    pub(super) fn so_long_as(
+        triangulation: &Triangulation,
+        begin: usize,
+        labels: Perm4,
+        mut holds: impl FnMut(&[u8]) -> bool,
+    ) -> Option<Walk> {
         let mut walk = Walk { order: vec![begin], actions: Vec::new(), joins: Vec::new() };
         // New number and new names of the corners.
         let mut known = vec![None; triangulation.len()];
@@ -68,41 +89,60 @@ impl Walk {
             for triangle in 0..4 {
                 let gluing = triangulation.gluings()[tetrahedron][old.image(triangle)];
                 let other = gluing.tetrahedron as usize;
-                let Some((there, names)) = known[other] else {
-                    known[other] = Some((walk.order.len(), gluing.corners.inverse().then(labels)));
-                    walk.order.push(other);
-                    walk.actions.push(TO_A_NEW_ONE);
-                    continue;
-                };
-                let corners = old.then(gluing.corners).then(names);
-                if (there, corners.image(triangle)) >= (number, triangle) {
-                    walk.actions.push(TO_A_KNOWN_ONE);
-                    walk.joins.push((there, corners));
+                match known[other] {
+                    None => {
+                        known[other] = Some((walk.order.len(), gluing.corners.inverse().then(labels)));
+                        walk.order.push(other);
+                        walk.actions.push(TO_A_NEW_ONE);
+                    }
+                    Some((there, names)) => {
+                        let corners = old.then(gluing.corners).then(names);
+                        if (there, corners.image(triangle)) < (number, triangle) {
+                            continue;
+                        }
+                        walk.actions.push(TO_A_KNOWN_ONE);
+                        walk.joins.push((there, corners));
+                    }
+                }
+                if !holds(&walk.actions) {
+                    return None;
                 }
             }
             number += 1;
         }
-        walk
+        Some(walk)
     }
 
     /// Size, actions three a digit, tetrahedra joined to, permutations of the joins by their place among the 24.
-    fn word(&self) -> String {
+    pub(super) fn word(&self) -> String {
         let size = self.order.len();
+        let width = width(size);
         let mut word = String::new();
-        let mut width = 1;
         if size >= SHORT {
-            width = (size.ilog2() / 6 + 1) as usize;
             word.extend([digit(63), digit(width)]);
         }
         let number = |n: usize| (0..width).map(move |i| digit(n >> (6 * i) & 63));
         word.extend(number(size));
-        for three in self.actions.chunks(3) {
-            word.push(digit(three.iter().rev().fold(0, |n, action| n << 2 | usize::from(*action))));
-        }
+        word.extend(self.actions.chunks(3).map(three));
         self.joins.iter().for_each(|(tetrahedron, _)| word.extend(number(*tetrahedron)));
         word.extend(self.joins.iter().map(|(_, corners)| digit(place(*corners))));
         word
     }
+}
+
+/// How many digits the number of a tetrahedron has.
+fn width(size: usize) -> usize {
+    if size < SHORT { 1 } else { (size.ilog2() / 6 + 1) as usize }
+}
+
+/// How many digits stand before the actions.
+pub(super) fn before_actions(size: usize) -> usize {
+    if size < SHORT { 1 } else { 2 + width(size) }
+}
+
+/// Three actions in a digit, the first in its lowest place.
+pub(super) fn three(actions: &[u8]) -> char {
+    digit(actions.iter().rev().fold(0, |n, action| n << 2 | usize::from(*action)))
 }
 
 fn digit(n: usize) -> char {

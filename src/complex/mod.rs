@@ -26,6 +26,7 @@ pub mod handle;
 pub mod homology_fast;
 pub mod isosig;
 pub mod kuhn_torus;
+pub mod isosig_fast;
 pub mod manifold;
 pub mod orientation;
 pub mod permutation;
