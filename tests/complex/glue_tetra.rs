@@ -211,6 +211,21 @@ mod cx_118 {
     }
 
     #[test]
+    fn a_handle_is_taken_out_of_a_ring_of_any_size() {
+        for n in 1..7 {
+            // A Fnext-ring of n: the dual of a ring of n edges.
+            let complex = ClosedComplex::new(lens_space(n, 0)).expect("closed");
+            let mut structure = FacetEdgeStructure::of(&complex).dual();
+            let a = structure.handles(Space::Primal)[0];
+            let before = structure.fprev(a);
+            assert_eq!(structure.facet_ring(a).len(), n as usize);
+            structure.splice_facets(a, before).expect("members of one ring");
+            assert_eq!(structure.facet_ring(a), [a]);
+            assert_eq!(structure.facet_ring(before).len(), n.max(2) as usize - 1);
+        }
+    }
+
+    #[test]
     fn half_of_the_pairs_of_the_torus_are_left_over() {
         let pairs = FacetEdgeStructure::of(&ClosedComplex::new(three_torus()).expect("closed"));
         let mut separate = SeparateTetrahedra::of(&pairs);
