@@ -101,8 +101,6 @@ fn agree(scheme: &GluingScheme) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
-
     #[test]
     fn both_derivations_agree_on_random_schemes(
         kinds in prop::collection::vec(0..11_usize, 1..3), choices in prop::collection::vec(any::<u32>(), 40)
