@@ -170,14 +170,13 @@ struct Place<'a> {
 
 impl Place<'_> {
     fn error(self, offset: usize, expected: impl Into<String>) -> SchemeTextError {
-        let (before, rest) = self.text.split_at_checked(offset).unwrap_or((self.text, ""));
-        let rest = rest.split('#').next().unwrap_or_default();
+        let rest = self.text.get(offset..).and_then(|rest| rest.split('#').next()).unwrap_or_default();
         let found = match rest.split_whitespace().next() {
             None => "the end of the line".to_owned(),
             Some(word) => format!("{:?}", word.chars().take(40).collect::<String>()),
         };
-        let column = before.chars().count() + 1;
-        SchemeTextError::Syntax { line: self.line, column, expected: expected.into(), found }
+        // What stands before is part of a statement, so all of it is ASCII.
+        SchemeTextError::Syntax { line: self.line, column: offset + 1, expected: expected.into(), found }
     }
 
     /// Where the statement begins.

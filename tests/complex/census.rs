@@ -138,6 +138,7 @@ mod cx_410 {
         };
         assert!(of(stack(40)).count().is_some());
         assert_eq!(of(stack(64)).count(), None);
+        assert_eq!(of(stack(65)).count(), Some(0), "one face is always left");
         assert!(of(stack(64)).gluing(12_345).is_some());
     }
 

@@ -7,6 +7,7 @@ use isoracle::complex::census::{Census, Kind, kind};
 use isoracle::complex::closed_complex::ClosedComplex;
 use isoracle::complex::examples::{lens_space, paired};
 use isoracle::complex::manifold::Manifold3;
+use isoracle::complex::polyhedron::PolyhedronFlaw;
 use isoracle::complex::scheme::{FaceId, GluingScheme, Pairing, Polyhedron, Reason, SchemeDefect, SignedEdge};
 use isoracle::complex::zoo;
 use isoracle::mesh::classify::{ClosedSurface, SPHERE};
@@ -100,8 +101,6 @@ fn agree(scheme: &GluingScheme) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
-
     #[test]
     fn both_derivations_agree_on_random_schemes(
         kinds in prop::collection::vec(0..11_usize, 1..3), choices in prop::collection::vec(any::<u32>(), 40)
@@ -134,6 +133,15 @@ mod cx_401 {
                 assert_eq!(polyhedron.flaw().is_none(), is_ball(&polyhedron), "{name}");
             }
         }
+    }
+
+    #[test]
+    fn cycles_that_walk_along_an_edge_the_same_way_have_that_flaw() {
+        let turned = [vec![1, 2, 3], vec![0, 3, 2], vec![0, 1, 3], vec![0, 1, 2]];
+        let flaw = Polyhedron::of_vertex_cycles(&turned).flaw();
+        assert_eq!(flaw, Some(PolyhedronFlaw::SameDirection { edge: 0 }));
+        let thrice = [vec![0, 1, 2], vec![0, 1, 3], vec![0, 1, 4]];
+        assert_eq!(Polyhedron::of_vertex_cycles(&thrice).flaw(), Some(PolyhedronFlaw::EdgeUses { edge: 0, uses: 3 }));
     }
 
     proptest! {
