@@ -53,7 +53,6 @@ impl ClosedComplex {
     }
 
     /// χ = V − E + F − P.
-    #[doc(alias = "CX-406")]
     pub fn euler_characteristic(&self) -> i64 {
         let [v, e, f, p] = self.counts.map(|n| n as i64);
         v - e + f - p

@@ -23,12 +23,6 @@ pub enum R4Obstruction {
     },
 }
 
-/// Whether a finite group ℤ/t₁ ⊕ ℤ/t₂ ⊕ …, t₁ | t₂ | …, t₁ > 1, is A ⊕ A for some group A: iff t₁ = t₂, t₃ = t₄, …, none left over.
-#[doc(alias = "CX-511")]
-pub fn is_double(torsion: &[Integer]) -> bool {
-    torsion.len().is_multiple_of(2) && torsion.chunks(2).all(|pair| pair[0] == pair[1])
-}
-
 /// The first component that cannot lie in ℝ⁴, and why. `None` is no promise: Poincaré's sphere has no obstruction of this kind,
 /// and no piecewise linear embedding.
 ///
@@ -41,8 +35,8 @@ pub fn r4_obstruction(manifold: &Manifold3) -> Option<R4Obstruction> {
         if !component.is_orientable() {
             return Some(R4Obstruction::NonOrientable { polyhedron });
         }
-        let torsion = component.chain_complex().homology().torsion.swap_remove(1);
-        (!is_double(&torsion)).then_some(R4Obstruction::Torsion { polyhedron, torsion })
+        let h1 = component.first_homology();
+        (!h1.torsion_is_double()).then_some(R4Obstruction::Torsion { polyhedron, torsion: h1.torsion })
     })
 }
 

@@ -328,7 +328,7 @@ mod cx_405 {
     }
 }
 
-mod cx_406 {
+mod euler_characteristics {
     use super::*;
 
     #[test]
@@ -378,7 +378,7 @@ mod cx_408 {
     }
 }
 
-mod cx_416 {
+mod torsion_of_products {
     use super::*;
 
     #[test]
