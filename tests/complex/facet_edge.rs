@@ -261,7 +261,13 @@ mod cx_109 {
         let structure = FacetEdgeStructure::of(&both);
         assert_eq!((structure.sense_orbits().1, structure.components().len()), (4, 2));
         let mirrored = ClosedComplex::new(mirrored_torus()).expect("a closed complex");
-        assert!(!FacetEdgeStructure::of(&mirrored).is_orientable());
+        let mut mirrored = FacetEdgeStructure::of(&mirrored);
+        assert!(!mirrored.is_orientable());
+        // Beside a sphere it is still not orientable.
+        mirrored.make_facet_edge();
+        assert_eq!((mirrored.sense_orbits().1, mirrored.components().len()), (3, 2));
+        assert!(!mirrored.is_orientable());
+        assert_eq!(mirrored.anticlockwise(&[]), None);
     }
 }
 

@@ -104,6 +104,16 @@ mod cx_129 {
     }
 
     #[test]
+    fn a_covering_is_no_isomorphism() {
+        // Two pairs in one ring of faces cover an isolated pair twice.
+        let mut isolated = FacetEdgeStructure::default();
+        let (a, b) = (isolated.make_facet_edge(), isolated.make_facet_edge());
+        let mut joined = isolated.clone();
+        joined.splice_facets(a, b).expect("isolated pairs");
+        assert!(joined.isomorphism(&isolated).is_none() && isolated.isomorphism(&joined).is_none());
+    }
+
+    #[test]
     fn a_part_is_made_of_whole_rings() {
         let structure = FacetEdgeStructure::of(&ClosedComplex::new(torus_beside_lens()).expect("closed"));
         let components = structure.components();
