@@ -44,8 +44,9 @@ impl Perm4 {
 
     /// Whether it is a product of an even number of transpositions.
     pub fn is_even(self) -> bool {
-        let pairs = (0..4).flat_map(|i| (i + 1..4).map(move |j| (i, j)));
-        pairs.filter(|(i, j)| self.0[*i] > self.0[*j]).count() % 2 == 0
+        let [a, b, c, d] = self.0;
+        // An even number of pairs in the wrong order.
+        !((a > b) ^ (a > c) ^ (a > d) ^ (b > c) ^ (b > d) ^ (c > d))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Radial subdivision: topological tetrahedra cut into slices around an edge, so that none is glued to itself.
 
+use super::refine::MAX_TETRAHEDRA;
 use super::triangulation::{TriangleGluing, Triangulation};
 use super::{permutation::Perm4, tetrahedra};
 use thiserror::Error;
@@ -48,8 +49,8 @@ pub enum SliceError {
     /// Two tetrahedra at an edge that is split have different numbers of slices.
     #[error("tetrahedra {0} and {1} have the edge that is split in common, and different numbers of slices")]
     Different(usize, usize),
-    /// There would be more than 2²⁸ tetrahedra.
-    #[error("there would be more than 2²⁸ tetrahedra")]
+    /// There would be more than 2²⁷ tetrahedra.
+    #[error("there would be more than 2²⁷ tetrahedra")]
     TooLarge,
 }
 
@@ -72,7 +73,7 @@ pub struct Radial {
 ///
 /// # Errors
 /// Iff a gluing does not keep {0, 1} | {2, 3}, the list is of another length, a number is 0 or another one than that of a neighbour with the
-/// same axis, or there would be more than 2²⁸ tetrahedra.
+/// same axis, or there would be more than 2²⁷ tetrahedra.
 #[doc(alias = "CX-211")]
 pub fn slice(base: &Triangulation, axis: Axis, slices: &[u32]) -> Result<Triangulation, SliceError> {
     let [low, high] = axis.corners();
@@ -128,7 +129,7 @@ fn starts(base: &Triangulation, axis: Axis, slices: &[u32]) -> Result<Vec<u32>, 
                 return Err(SliceError::Different(tetrahedron, gluing.tetrahedron as usize));
             }
         }
-        let end = starts[tetrahedron].checked_add(slices[tetrahedron]).filter(|n| *n <= 1 << 28);
+        let end = starts[tetrahedron].checked_add(slices[tetrahedron]).filter(|n| *n <= MAX_TETRAHEDRA as u32);
         match slices[tetrahedron] {
             0 => return Err(SliceError::NoSlice(tetrahedron)),
             _ => starts.push(end.ok_or(SliceError::TooLarge)?),
@@ -155,7 +156,7 @@ fn transposition(i: usize, j: usize) -> Perm4 {
 /// (CX-212). Where all rings have three already, nothing changes.
 ///
 /// # Errors
-/// Iff a gluing does not keep {0, 1} | {2, 3} or there would be more than 2²⁸ tetrahedra.
+/// Iff a gluing does not keep {0, 1} | {2, 3} or there would be more than 2²⁷ tetrahedra.
 #[doc(alias = "CX-210")]
 #[doc(alias = "CX-212")]
 #[doc(alias = "CX-213")]

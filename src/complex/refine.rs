@@ -16,7 +16,7 @@ use thiserror::Error;
 pub type LatticePoint = [u32; 4];
 
 /// The most tetrahedra that a refinement may have.
-pub const MAX_TETRAHEDRA: usize = 1 << 28;
+pub const MAX_TETRAHEDRA: usize = 1 << 27;
 
 /// A triangulation whose tetrahedra were cut into k³ each, and what its vertices are called.
 ///
@@ -38,7 +38,7 @@ pub enum RefineError {
     #[error("the order is 0; it is at least 1")]
     OrderZero,
     /// There would be more than [`MAX_TETRAHEDRA`] tetrahedra.
-    #[error("{tetrahedra} tetrahedra, each cut into {order}³, are more than 2²⁸")]
+    #[error("{tetrahedra} tetrahedra, each cut into {order}³, are more than 2²⁷")]
     TooLarge {
         /// How many there are.
         tetrahedra: usize,

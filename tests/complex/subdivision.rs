@@ -163,6 +163,17 @@ mod cx_204 {
     }
 
     #[test]
+    fn that_of_any_triangulation_keeps_the_space() {
+        for base in (1..=2).flat_map(all_gluings).filter(super::super::gluings::has_edges) {
+            let [before, after] = [&base, &base.barycentric()].map(fast::check);
+            let [v, e, f, t] = before.counts;
+            assert_eq!((after.counts[0], after.counts[3]), (v + e + f + t, 24 * t));
+            assert_eq!((after.components, after.orientable), (before.components, before.orientable));
+            assert_eq!(after.defects.len(), before.defects.len());
+        }
+    }
+
+    #[test]
     fn the_second_one_always_is() {
         for complex in complexes().iter().filter(|complex| complex.facet_edge_pairs() <= 12).step_by(3) {
             let twice = complex.barycentric().barycentric();

@@ -1,7 +1,7 @@
 //! The same facts in one pass around each vertex and each edge, and by sorting.
 
 use super::{Facts, TriangulationDefect, VertexSets, surface};
-use crate::complex::triangulation::{EDGES, TriangleGluing, Triangulation, edge_between};
+use crate::complex::triangulation::{EDGES, TriangleGluing, Triangulation};
 use crate::mesh::classify::SPHERE;
 
 /// As [`check`](super::check).
@@ -125,7 +125,7 @@ fn edges(gluings: &[[TriangleGluing; 4]], vertices: &[[u32; 4]]) -> (Edges, Vec<
             // Across the triangle opposite l, into a tetrahedron whose triangle opposite the image of l it is.
             loop {
                 let (tetrahedron, [a, b, c, d]) = at;
-                seen[tetrahedron] |= 1 << edge_between(a, b);
+                seen[tetrahedron] |= 1 << edge_number(a, b);
                 let gluing = &gluings[tetrahedron][d];
                 let image = |i| gluing.corners.image(i);
                 at = (gluing.tetrahedron as usize, [image(a), image(b), image(d), image(c)]);
@@ -141,6 +141,11 @@ fn edges(gluings: &[[TriangleGluing; 4]], vertices: &[[u32; 4]]) -> (Edges, Vec<
         }
     }
     (edges, defects)
+}
+
+/// The edge between two corners of a tetrahedron: 01, 02, 03, 12, 13, 23 are 0, …, 5.
+fn edge_number(i: usize, j: usize) -> usize {
+    i + j - usize::from(i == 0 || j == 0)
 }
 
 fn vertex_sets(gluings: &[[TriangleGluing; 4]], vertices: &[[u32; 4]], count: usize, edges: &Edges) -> VertexSets {

@@ -7,7 +7,7 @@ use super::{
 use crate::complex::permutation::Perm4;
 use crate::complex::triangulation::{EDGES, TriangleGluing, Triangulation};
 
-const _: () = assert!(MAX_TETRAHEDRA <= u32::MAX as usize / 6, "edges of tetrahedra have 32-bit numbers");
+const _: () = assert!(16 * MAX_TETRAHEDRA <= u32::MAX as usize, "ends of edges of tetrahedra have 32-bit numbers");
 
 /// As [`refine`](super::refine), vertices numbered in another order: those of the vertices, edges, triangles and tetrahedra of
 /// the base one after the other, in each by the place.
