@@ -70,6 +70,20 @@ fn a_missed_reason_is_shown_by_a_small_scheme() {
 }
 
 #[test]
+fn a_shrunk_scheme_keeps_the_reason_of_its_row() {
+    let report = judged(|op, _, out| {
+        if op == "complex.glue" && out["valid"] == false {
+            *out = json!({"valid": true});
+        }
+    });
+    for row in &Row::CASES[1..] {
+        let failure = report.failures.iter().find(|failure| failure.row == row.name()).unwrap();
+        let out = glue(&scheme_of(&failure.question));
+        assert!(out["defects"].as_array().unwrap().iter().any(|d| d["reason"] == row.name()), "{}: {out}", row.name());
+    }
+}
+
+#[test]
 fn a_fault_that_needs_two_components_keeps_them() {
     let report = judged(|op, _, out| {
         if op == "complex.glue" && out["components"].is_number() {
