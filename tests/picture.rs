@@ -39,7 +39,11 @@ fn elements(xml: &str) -> Vec<(String, BTreeMap<String, String>, String)> {
                     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).expect("a text");
                     (text(attribute.key.as_ref()), text(&attribute.value))
                 });
-                found.push((String::from_utf8(start.name().as_ref().to_vec()).expect("a name"), attributes.collect(), String::new()));
+                found.push((
+                    String::from_utf8(start.name().as_ref().to_vec()).expect("a name"),
+                    attributes.collect(),
+                    String::new(),
+                ));
                 if matches!(event, Event::Start(_)) {
                     open.push(found.len() - 1);
                 }
@@ -131,7 +135,14 @@ fn msh_numbers_from_one_and_counts_right() {
     let first: Vec<f64> = realised.mesh.tetrahedra()[0].iter().map(|v| f64::from(*v) + 1.0).collect();
     assert_eq!(numbers(&elements[6])[1..], first[..]);
     // Nothing at all is a file too.
-    let empty = TetrahedraRecord { vertices: vec![], dimension: 4, coordinates: vec![], tetrahedra: vec![], groups: vec![], lines: vec![] };
+    let empty = TetrahedraRecord {
+        vertices: vec![],
+        dimension: 4,
+        coordinates: vec![],
+        tetrahedra: vec![],
+        groups: vec![],
+        lines: vec![],
+    };
     let mut bytes = Vec::new();
     msh::write(&mut bytes, &empty).expect("a file");
     assert!(String::from_utf8(bytes).expect("a text").contains("$Elements\n0 0 0 0\n"));
@@ -201,7 +212,8 @@ fn gltf_points_into_its_buffer_and_bounds_its_positions() {
         }
     }
     assert_eq!(vectors(&primitives[2]["attributes"]["POSITION"]).len(), 6);
-    for part in [vec![], vec![gltf::Part { name: String::new(), positions: vec![], normals: vec![], colour: [0.0; 3] }]] {
+    for part in [vec![], vec![gltf::Part { name: String::new(), positions: vec![], normals: vec![], colour: [0.0; 3] }]]
+    {
         let mut bytes = Vec::new();
         gltf::write(&mut bytes, &part).expect("an empty scene");
         gltf_json::Root::from_slice(&bytes).expect("glTF");
@@ -210,7 +222,15 @@ fn gltf_points_into_its_buffer_and_bounds_its_positions() {
 
 #[test]
 fn base_64_is_that_of_the_standard() {
-    for (bytes, text) in [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("fooba", "Zm9vYmE="), ("foobar", "Zm9vYmFy")] {
+    for (bytes, text) in [
+        ("", ""),
+        ("f", "Zg=="),
+        ("fo", "Zm8="),
+        ("foo", "Zm9v"),
+        ("foob", "Zm9vYg=="),
+        ("fooba", "Zm9vYmE="),
+        ("foobar", "Zm9vYmFy"),
+    ] {
         assert_eq!(gltf::base64(bytes.as_bytes()), text);
     }
     let all: Vec<u8> = (0..=255).collect();

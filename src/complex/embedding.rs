@@ -60,7 +60,8 @@ fn components(scheme: &GluingScheme) -> Vec<(usize, GluingScheme)> {
             let number = |polyhedron| members.binary_search(&polyhedron).expect("faces of one part are glued");
             let renamed = |id: FaceId| FaceId { polyhedron: number(id.polyhedron), face: id.face };
             let pairings = scheme.pairings.iter().filter(|pairing| part_of[pairing.a.polyhedron] == first);
-            let pairings = pairings.map(|p| super::scheme::Pairing { a: renamed(p.a), b: renamed(p.b), ..*p }).collect();
+            let pairings =
+                pairings.map(|p| super::scheme::Pairing { a: renamed(p.a), b: renamed(p.b), ..*p }).collect();
             let polyhedra = members.iter().map(|i| scheme.polyhedra[*i].clone()).collect();
             (first, GluingScheme { polyhedra, pairings })
         })

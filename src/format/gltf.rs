@@ -85,12 +85,7 @@ pub fn write(mut writer: impl Write, parts: &[Part]) -> Result<(), Problem> {
 }
 
 /// An accessor of binary32 triples at the end of the buffer, with their bounds where they are positions.
-fn vectors(
-    root: &mut Root,
-    bytes: &mut Vec<u8>,
-    vectors: &[[f32; 3]],
-    bounded: bool,
-) -> Index<accessor::Accessor> {
+fn vectors(root: &mut Root, bytes: &mut Vec<u8>, vectors: &[[f32; 3]], bounded: bool) -> Index<accessor::Accessor> {
     let offset = bytes.len();
     vectors.iter().flatten().for_each(|x| bytes.extend(x.to_le_bytes()));
     let view = root.push(buffer::View {

@@ -367,7 +367,10 @@ fn open(path: &Path) -> Result<BufReader<File>, Problem> {
     Ok(BufReader::with_capacity(1 << 16, File::open(path)?))
 }
 
-pub(crate) fn create(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Problem>) -> Result<(), Problem> {
+pub(crate) fn create(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Problem>,
+) -> Result<(), Problem> {
     let mut out = BufWriter::with_capacity(1 << 16, File::create(path)?);
     write(&mut out)?;
     Ok(out.flush()?)

@@ -57,8 +57,7 @@ fn piece<W: Write>(xml: &mut Writer<W>, record: &TetrahedraRecord) -> io::Result
 
 fn array<W: Write>(xml: &mut Writer<W>, kind: &str, name: &str, components: usize, text: &str) -> io::Result<()> {
     let components = components.to_string();
-    let attributes =
-        [("type", kind), ("Name", name), ("NumberOfComponents", components.as_str()), ("format", "ascii")];
+    let attributes = [("type", kind), ("Name", name), ("NumberOfComponents", components.as_str()), ("format", "ascii")];
     xml.create_element("DataArray").with_attributes(attributes).write_text_content(BytesText::new(text)).map(drop)
 }
 

@@ -159,7 +159,8 @@ fn linear(channel: u8) -> f32 {
 /// Points about the middle of their box, the farthest at distance 1.
 fn scaled(mut points: Vec<&mut [f64]>) {
     for axis in 0..points.first().map_or(0, |p| p.len()) {
-        let range = points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, p| [r[0].min(p[axis]), r[1].max(p[axis])]);
+        let range =
+            points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, p| [r[0].min(p[axis]), r[1].max(p[axis])]);
         points.iter_mut().for_each(|p| p[axis] -= f64::midpoint(range[0], range[1]));
     }
     let farthest = points.iter().map(|p| p.iter().map(|x| x * x).sum::<f64>()).fold(0.0, f64::max).sqrt();
@@ -171,8 +172,7 @@ fn scaled(mut points: Vec<&mut [f64]>) {
 fn facts(realised: &Realised) -> Vec<(String, String)> {
     let (mesh, found) = (&realised.mesh, &realised.intersections);
     let n = realised.points.dimension();
-    let counts =
-        [mesh.vertices(), mesh.edges().len(), mesh.triangles().len(), mesh.tetrahedra().len()].map(grouped);
+    let counts = [mesh.vertices(), mesh.edges().len(), mesh.triangles().len(), mesh.tetrahedra().len()].map(grouped);
     let embedded = match (&found.not_simplicial, found.flat, found.pairs) {
         (Some(_), _, _) => "no: it is not a simplicial complex".to_owned(),
         (None, 0, 0) => "yes".to_owned(),
@@ -196,6 +196,7 @@ fn facts(realised: &Realised) -> Vec<(String, String)> {
 /// A count with its thousands apart.
 fn grouped(n: usize) -> String {
     let digits = n.to_string();
-    let groups: Vec<&str> = digits.as_bytes().rchunks(3).rev().map(|c| std::str::from_utf8(c).expect("digits")).collect();
+    let groups: Vec<&str> =
+        digits.as_bytes().rchunks(3).rev().map(|c| std::str::from_utf8(c).expect("digits")).collect();
     groups.join("\u{202f}")
 }

@@ -119,7 +119,8 @@ fn short(x: f64) -> String {
 fn hex(colour: [u8; 3], brightness: f64) -> String {
     let channel = |c: u8| {
         let c = f64::from(c);
-        let lit = if brightness <= 1.0 { c * brightness.max(0.0) } else { c + (255.0 - c) * (brightness - 1.0).min(1.0) };
+        let lit =
+            if brightness <= 1.0 { c * brightness.max(0.0) } else { c + (255.0 - c) * (brightness - 1.0).min(1.0) };
         lit.round() as u8
     };
     let [r, g, b] = colour.map(channel);

@@ -67,7 +67,10 @@ mod cx_509 {
             for q in (1..p).filter(|q| Integer::from(*q).gcd(&Integer::from(p)) == 1) {
                 let lens = manifold(lens_space(p, q));
                 let found = r4_obstruction(&lens);
-                assert!(matches!(&found, Some(R4Obstruction::Torsion { torsion, .. }) if torsion[..] == [p]), "L({p}, {q})");
+                assert!(
+                    matches!(&found, Some(R4Obstruction::Torsion { torsion, .. }) if torsion[..] == [p]),
+                    "L({p}, {q})"
+                );
             }
         }
         assert_eq!(r4_obstruction(&manifold(lens_space(1, 0))), None);

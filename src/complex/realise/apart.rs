@@ -25,7 +25,9 @@ pub fn are_apart(first: &[&[f64]], second: &[&[f64]]) -> bool {
     for _ in 0..ROUNDS {
         let least = |points: &[&[f64]], sign: f64| {
             let value = |p: &&[f64]| sign * along(&h, p);
-            (0..points.len()).map(|i| (value(&points[i]), i)).fold((f64::INFINITY, 0), |m, x| if x.0 < m.0 { x } else { m })
+            (0..points.len())
+                .map(|i| (value(&points[i]), i))
+                .fold((f64::INFINITY, 0), |m, x| if x.0 < m.0 { x } else { m })
         };
         let ((a, i), (b, j)) = (least(first, 1.0), least(second, -1.0));
         let size: f64 = h.iter().zip(&largest).map(|(h, x)| h.abs() * x).sum();

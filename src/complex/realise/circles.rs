@@ -107,7 +107,8 @@ fn kernel(rows: Vec<Vec<Integer>>, n: usize) -> Vec<Vec<Integer>> {
     let mut basis: Vec<Vec<Integer>> =
         (0..n).map(|i| (0..n).map(|j| Integer::from(u32::from(i == j))).collect()).collect();
     for row in rows.iter().filter(|row| row.iter().any(|n| *n != 0)) {
-        let product = |x: &Vec<Integer>| row.iter().zip(x).fold(Integer::new(), |sum, (r, x)| sum + Integer::from(r * x));
+        let product =
+            |x: &Vec<Integer>| row.iter().zip(x).fold(Integer::new(), |sum, (r, x)| sum + Integer::from(r * x));
         loop {
             let products: Vec<Integer> = basis.iter().map(product).collect();
             let others = || (0..basis.len()).filter(|i| products[*i] != 0);
@@ -210,7 +211,8 @@ fn shorten(circles: &mut [Circle]) {
         let mut changed = false;
         for i in 0..circles.len() {
             for j in (0..circles.len()).filter(|j| *j != i) {
-                let times = (dot(&circles[i].along, &circles[j].along) / dot(&circles[j].along, &circles[j].along)).round();
+                let times =
+                    (dot(&circles[i].along, &circles[j].along) / dot(&circles[j].along, &circles[j].along)).round();
                 if times != 0.0 {
                     let other = Circle { along: circles[j].along.clone(), at: circles[j].at.clone() };
                     circles[i].less(&other, times);

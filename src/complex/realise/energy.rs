@@ -63,8 +63,7 @@ impl Energy {
                 let [a, b] = [v, w].map(|v| n * v + i);
                 let along = Rational::from(&x[a] - &x[b]) * &pull;
                 // The edge has u_w/deg w for v and −1/deg v of u_v, which all edges at v add to −u_v.
-                let [of_v, of_w] =
-                    [(a, v), (b, w)].map(|(i, v)| Rational::from(&u[i] / self.degrees[v]) * &bend);
+                let [of_v, of_w] = [(a, v), (b, w)].map(|(i, v)| Rational::from(&u[i] / self.degrees[v]) * &bend);
                 let across = of_w - of_v;
                 gradient[a] += Rational::from(&along + &across);
                 gradient[b] -= along + across;

@@ -74,8 +74,8 @@ pub fn intersections(mesh: &TetrahedralMesh, points: &Points) -> Intersections {
         candidates.par_iter().copied().filter(|pair| meeting(tetrahedra, points, *pair).is_some()).collect();
     (found.flat, found.pairs, found.tested) = (flat.len(), pairs.len(), candidates.len());
     let first = flat.first().map(|t| [*t, *t]).or_else(|| pairs.iter().min().copied());
-    found.witness = first
-        .and_then(|pair| Some(Witness { tetrahedra: pair, simplices: meeting(tetrahedra, points, pair)? }));
+    found.witness =
+        first.and_then(|pair| Some(Witness { tetrahedra: pair, simplices: meeting(tetrahedra, points, pair)? }));
     found
 }
 
@@ -123,8 +123,7 @@ impl Box {
 
 /// Pairs of different tetrahedra whose boxes meet, by a tree halved at the medians of its longest axes.
 fn close_pairs(tetrahedra: &[[u32; 4]], points: &Points) -> Vec<[u32; 2]> {
-    let boxes: Vec<Box> =
-        tetrahedra.iter().map(|t| Box::around(t.iter().map(|v| points.at(*v as usize)))).collect();
+    let boxes: Vec<Box> = tetrahedra.iter().map(|t| Box::around(t.iter().map(|v| points.at(*v as usize)))).collect();
     let mut pairs = Vec::new();
     if !boxes.is_empty() {
         let tree = Tree::of((0..boxes.len() as u32).collect(), &boxes);

@@ -94,7 +94,8 @@ impl Energy {
     /// One run, whose steps are kept as long as they lower the energy.
     fn run(&self, descent: &mut Descent, n: usize, iterations: usize) {
         let start = descent.path.last().expect("it has a start").clone();
-        let trace = Arc::new(Mutex::new(std::mem::replace(descent, Descent { path: Vec::new(), energies: Vec::new() })));
+        let trace =
+            Arc::new(Mutex::new(std::mem::replace(descent, Descent { path: Vec::new(), energies: Vec::new() })));
         let search = MoreThuenteLineSearch::new();
         let solver = LBFGS::new(search, MEMORY).with_tolerance_grad(LEAST_GRADIENT).expect("it is not negative");
         // An error is a line search without a step, and the trace has all steps before it.

@@ -95,8 +95,7 @@ impl Graph {
         let vertices = self.degrees.len();
         let columns = (n + SPARE).min(vertices.saturating_sub(1));
         let constant: Vec<f64> = normalised(self.degrees.iter().map(|d| d.sqrt()).collect());
-        let mut block: Vec<Vec<f64>> =
-            (0..columns).map(|_| (0..vertices).map(|_| random.number()).collect()).collect();
+        let mut block: Vec<Vec<f64>> = (0..columns).map(|_| (0..vertices).map(|_| random.number()).collect()).collect();
         let mut values = vec![0.0; columns];
         // Eigenvalues μ of D^(−1/2) A D^(−1/2) are at most 1; those in [−1, cut] are damped.
         let mut cut = 0.0_f64;
@@ -123,9 +122,8 @@ impl Graph {
     /// T_d of the matrix, shifted so that [−1, cut] becomes [−1, 1].
     fn filtered(&self, y: &[f64], cut: f64) -> Vec<f64> {
         let (half, middle) = ((cut + 1.0) / 2.0, (cut - 1.0) / 2.0);
-        let shifted = |y: &[f64]| -> Vec<f64> {
-            self.applied(y).iter().zip(y).map(|(a, y)| (a - middle * y) / half).collect()
-        };
+        let shifted =
+            |y: &[f64]| -> Vec<f64> { self.applied(y).iter().zip(y).map(|(a, y)| (a - middle * y) / half).collect() };
         let (mut before, mut now) = (y.to_vec(), shifted(y));
         for _ in 1..DEGREE {
             let next = shifted(&now).iter().zip(&before).map(|(a, b)| 2.0 * a - b).collect();

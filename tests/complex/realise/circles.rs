@@ -36,7 +36,9 @@ mod cx_512 {
             rows[*v as usize].insert(edge, -1);
             rows[*w as usize].insert(edge, 1);
         }
-        let row = |cocycle: &Cocycle| cocycle.iter().map(|n| n.to_i64().expect("small")).enumerate().filter(|(_, n)| *n != 0).collect();
+        let row = |cocycle: &Cocycle| {
+            cocycle.iter().map(|n| n.to_i64().expect("small")).enumerate().filter(|(_, n)| *n != 0).collect()
+        };
         rows.extend(found.iter().map(row));
         let divisors = elementary_divisors(&rows);
         assert_eq!(divisors.len(), mesh.vertices() - 1 + betti);

@@ -16,8 +16,7 @@ pub fn simplex_boundary() -> TetrahedralMesh {
 
 /// The boundary of the 16-cell: vertex 2i is e_i, 2i + 1 is −e_i.
 pub fn cross_polytope() -> TetrahedralMesh {
-    let tetrahedra: Vec<[u32; 4]> =
-        (0..16_u32).map(|s| std::array::from_fn(|i| 2 * i as u32 + (s >> i & 1))).collect();
+    let tetrahedra: Vec<[u32; 4]> = (0..16_u32).map(|s| std::array::from_fn(|i| 2 * i as u32 + (s >> i & 1))).collect();
     TetrahedralMesh::of_tetrahedra(8, &tetrahedra).expect("tetrahedra")
 }
 

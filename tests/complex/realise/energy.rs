@@ -1,8 +1,8 @@
 //! The energy: exact differences, motions, scales, and what minimisation does.
 
 use super::domain::{cross_polytope, grid_torus, simplex_boundary, twice};
-use isoracle::complex::examples::{lens_space, three_torus};
 use isoracle::complex::closed_complex::ClosedComplex;
+use isoracle::complex::examples::{lens_space, three_torus};
 use isoracle::complex::realise::energy::Energy;
 use isoracle::complex::realise::mesh::{MeshError, NotSimplicial, TetrahedralMesh};
 use isoracle::complex::realise::points::{Points, PointsError};
@@ -60,7 +60,8 @@ fn used((kind, n, bending, x, h): Case) -> (TetrahedralMesh, usize, f64, Vec<f64
 fn by_vertices(mesh: &TetrahedralMesh, bending: &Rational, x: &[Rational], n: usize) -> Rational {
     let at = |v: u32| &x[n * v as usize..n * (v as usize + 1)];
     let square = |u: &[Rational]| u.iter().fold(Rational::new(), |sum, u| sum + Rational::from(u.square_ref()));
-    let minus = |a: &[Rational], b: &[Rational]| a.iter().zip(b).map(|(a, b)| Rational::from(a - b)).collect::<Vec<_>>();
+    let minus =
+        |a: &[Rational], b: &[Rational]| a.iter().zip(b).map(|(a, b)| Rational::from(a - b)).collect::<Vec<_>>();
     let (mut twice_uniformity, mut bent) = (Rational::new(), Rational::new());
     for v in 0..mesh.vertices() as u32 {
         let ends = mesh.edges().iter().flat_map(|[a, b]| [[*a, *b], [*b, *a]]).filter(|[a, _]| *a == v);
@@ -70,9 +71,8 @@ fn by_vertices(mesh: &TetrahedralMesh, bending: &Rational, x: &[Rational], n: us
         }
         let others: Vec<u32> = neighbours.into_iter().filter(|w| *w != v).collect();
         if let Some(count) = Some(others.len()).filter(|count| *count > 0) {
-            let mean: Vec<Rational> = (0..n)
-                .map(|i| others.iter().fold(Rational::new(), |sum, w| sum + &at(*w)[i]) / count as u32)
-                .collect();
+            let mean: Vec<Rational> =
+                (0..n).map(|i| others.iter().fold(Rational::new(), |sum, w| sum + &at(*w)[i]) / count as u32).collect();
             bent += square(&minus(&mean, at(v)));
         }
     }
@@ -239,7 +239,8 @@ mod cx_510 {
 
     #[test]
     fn the_sphere_unfolds_from_its_smoothest_functions() {
-        let sphere = realise(&twice(lens_space(1, 0)), &Options { iterations: 40, ..Options::default() }).expect("a placement");
+        let sphere =
+            realise(&twice(lens_space(1, 0)), &Options { iterations: 40, ..Options::default() }).expect("a placement");
         assert!(sphere.lengths.min > 0.3 && sphere.lengths.max < 3.0, "{:?}", sphere.lengths);
     }
 
@@ -271,6 +272,8 @@ mod cx_510 {
         let coarse = TetrahedralMesh::of(&torus.tetrahedra());
         assert_eq!(coarse.not_simplicial(), Some(NotSimplicial::VertexTwice { tetrahedron: 0 }));
         let barycentric = TetrahedralMesh::of(&torus.barycentric());
-        assert!(matches!(barycentric.not_simplicial(), Some(NotSimplicial::SameVertices { vertices }) if vertices.len() == 2));
+        assert!(
+            matches!(barycentric.not_simplicial(), Some(NotSimplicial::SameVertices { vertices }) if vertices.len() == 2)
+        );
     }
 }

@@ -58,8 +58,7 @@ mod cx_504 {
 
     #[test]
     fn the_filter_decides_what_is_clear_and_nothing_else() {
-        let unit: Vec<Vec<f64>> =
-            (0..5).map(|i| (0..4).map(|j| f64::from(u8::from(i == j + 1))).collect()).collect();
+        let unit: Vec<Vec<f64>> = (0..5).map(|i| (0..4).map(|j| f64::from(u8::from(i == j + 1))).collect()).collect();
         assert_eq!(filtered(&slices(&unit), &[0, 1, 2, 3]), Some(Sign::Positive));
         assert_eq!(filtered(&slices(&unit), &[1, 0, 2, 3]), Some(Sign::Negative));
         let mut flat = unit.clone();
@@ -209,12 +208,23 @@ mod cx_506 {
         // Two tetrahedra of ℝ⁵ without a common vertex that meet in a segment: 3 + 3 − 5 = 1.
         let mesh = TetrahedralMesh::of_tetrahedra(8, &[[0, 1, 2, 3], [4, 5, 6, 7]]).expect("tetrahedra");
         let corner = |axes: [f64; 5]| axes.to_vec();
-        let first = [[1.0, 0.0, 0.0, 0.0, 0.0], [-1.0, 1.0, 0.0, 0.0, 0.0], [-1.0, -1.0, 1.0, 0.0, 0.0], [-1.0, -1.0, -1.0, 0.0, 0.0]];
-        let second = [[1.0, 0.0, 0.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 1.0, 0.0], [-1.0, 0.0, 0.0, -1.0, 1.0], [-1.0, 0.0, 0.0, -1.0, -1.0]];
+        let first = [
+            [1.0, 0.0, 0.0, 0.0, 0.0],
+            [-1.0, 1.0, 0.0, 0.0, 0.0],
+            [-1.0, -1.0, 1.0, 0.0, 0.0],
+            [-1.0, -1.0, -1.0, 0.0, 0.0],
+        ];
+        let second = [
+            [1.0, 0.0, 0.0, 0.0, 0.0],
+            [-1.0, 0.0, 0.0, 1.0, 0.0],
+            [-1.0, 0.0, 0.0, -1.0, 1.0],
+            [-1.0, 0.0, 0.0, -1.0, -1.0],
+        ];
         let coordinates: Vec<f64> = first.into_iter().chain(second).flat_map(corner).collect();
         let points = Points::new(5, coordinates.clone()).expect("finite");
         assert_eq!(intersections(&mesh, &points).pairs, 1);
-        let lifted: Vec<f64> = coordinates.iter().enumerate().map(|(i, x)| if i >= 20 && i % 5 == 2 { x + 9.0 } else { *x }).collect();
+        let lifted: Vec<f64> =
+            coordinates.iter().enumerate().map(|(i, x)| if i >= 20 && i % 5 == 2 { x + 9.0 } else { *x }).collect();
         assert!(intersections(&mesh, &Points::new(5, lifted).expect("finite")).is_embedded());
     }
 
@@ -257,7 +267,8 @@ mod cx_508 {
         // A corner on the other's face, whose plane no binary64 direction is normal to exactly.
         let third = 1.0 / 3.0;
         let face = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-9.0, -9.0, -9.0]].map(|p| p.to_vec());
-        let touching = [[third, third, 1.0 - 2.0 * third], [5.0, 5.0, 5.5], [5.0, 5.5, 5.0], [6.0, 5.0, 5.0]].map(|p| p.to_vec());
+        let touching =
+            [[third, third, 1.0 - 2.0 * third], [5.0, 5.0, 5.5], [5.0, 5.5, 5.0], [6.0, 5.0, 5.0]].map(|p| p.to_vec());
         let sides = [[Side::First; 4], [Side::Second; 4]].concat();
         let all = [slices(&face), slices(&touching)].concat();
         assert!(meet(&all, &sides));

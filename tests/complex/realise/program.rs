@@ -55,8 +55,10 @@ pub fn meet(points: &[&[f64]], sides: &[Side]) -> bool {
     (0..points.len()).any(|fixed| {
         signs(fixed).into_iter().any(|sign| {
             let others = (0..points.len()).filter(|i| *i != fixed);
-            let columns: Vec<Vec<Rational>> =
-                others.flat_map(|i| signs(i).into_iter().map(move |sign| (i, sign))).map(|(i, s)| column(i, s)).collect();
+            let columns: Vec<Vec<Rational>> = others
+                .flat_map(|i| signs(i).into_iter().map(move |sign| (i, sign)))
+                .map(|(i, s)| column(i, s))
+                .collect();
             let right = column(fixed, -sign);
             let rows: Vec<Vec<Rational>> =
                 (0..right.len()).map(|row| columns.iter().map(|c| c[row].clone()).collect()).collect();
