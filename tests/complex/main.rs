@@ -5,7 +5,6 @@ mod connected_sums;
 mod embedding;
 mod euler;
 mod every_gluing;
-mod explore;
 mod facet_edge;
 mod facet_edge_map;
 mod facet_edge_samples;

@@ -7,12 +7,12 @@ use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
 use std::sync::{Arc, Mutex};
 
-/// The last place that a minimisation came to.
+/// The way that a minimisation went, from its start on; never empty.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Minimum {
-    /// The coordinates.
-    pub x: Vec<f64>,
-    /// The energy at the beginning and after each step; it never rises.
+pub struct Descent {
+    /// The coordinates at the start and after each step.
+    pub path: Vec<Vec<f64>>,
+    /// The energies there; each is less than the one before.
     pub energies: Vec<f64>,
 }
 
@@ -77,32 +77,34 @@ impl Energy {
 
     /// Lowers E from x on, by at most so many steps of L-BFGS with Moré and Thuente's line search. The same x gives the same
     /// result. Where E(x) is not finite, nothing is done.
-    pub fn minimise(&self, x: &[f64], n: usize, iterations: usize) -> Minimum {
-        let mut minimum = Minimum { x: x.to_vec(), energies: vec![self.value(x, n)] };
-        while minimum.energies.len() <= iterations {
-            let done = minimum.energies.len() - 1;
-            self.run(&mut minimum, n, iterations - done);
+    pub fn minimise(&self, x: &[f64], n: usize, iterations: usize) -> Descent {
+        let mut descent = Descent { path: vec![x.to_vec()], energies: vec![self.value(x, n)] };
+        loop {
+            let done = descent.path.len() - 1;
+            if done < iterations {
+                self.run(&mut descent, n, iterations - done);
+            }
             // A run may end because its line search found no step; one that made none would not do better again.
-            if minimum.energies.len() - 1 == done {
-                break;
+            if descent.path.len() - 1 == done {
+                return descent;
             }
         }
-        minimum
     }
 
     /// One run, whose steps are kept as long as they lower the energy.
-    fn run(&self, minimum: &mut Minimum, n: usize, iterations: usize) {
-        let trace = Arc::new(Mutex::new(minimum.clone()));
+    fn run(&self, descent: &mut Descent, n: usize, iterations: usize) {
+        let start = descent.path.last().expect("it has a start").clone();
+        let trace =
+            Arc::new(Mutex::new(std::mem::replace(descent, Descent { path: Vec::new(), energies: Vec::new() })));
         let search = MoreThuenteLineSearch::new();
         let solver = LBFGS::new(search, MEMORY).with_tolerance_grad(LEAST_GRADIENT).expect("it is not negative");
-        let start = minimum.x.clone();
         // An error is a line search without a step, and the trace has all steps before it.
         let _ = Executor::new(Placement { energy: self, n }, solver)
             .configure(|state| state.param(start).max_iters(iterations as u64))
             .add_observer(Trace(trace.clone()), ObserverMode::Always)
             .timer(false)
             .run();
-        minimum.clone_from(&trace.lock().expect("nobody panicked with it"));
+        descent.clone_from(&trace.lock().expect("nobody panicked with it"));
     }
 }
 
@@ -135,15 +137,15 @@ impl Gradient for Placement<'_> {
 }
 
 /// Keeps each step that lowers the energy.
-struct Trace(Arc<Mutex<Minimum>>);
+struct Trace(Arc<Mutex<Descent>>);
 
 impl Observe<IterState<Vec<f64>, Vec<f64>, (), (), (), f64>> for Trace {
     fn observe_iter(&mut self, state: &IterState<Vec<f64>, Vec<f64>, (), (), (), f64>, _: &KV) -> Result<(), Error> {
-        let mut minimum = self.0.lock().expect("nobody panicked with it");
-        let (energy, last) = (state.get_cost(), minimum.energies.last().copied());
+        let mut descent = self.0.lock().expect("nobody panicked with it");
+        let (energy, last) = (state.get_cost(), descent.energies.last().copied());
         if let Some(x) = state.get_param().filter(|_| last.is_some_and(|last| energy < last)) {
-            minimum.x.clone_from(x);
-            minimum.energies.push(energy);
+            descent.path.push(x.clone());
+            descent.energies.push(energy);
         }
         Ok(())
     }

@@ -19,6 +19,7 @@ mod symmetric;
 use energy::Energy;
 use intersections::{Intersections, intersections};
 use mesh::TetrahedralMesh;
+use minimise::Descent;
 use place::Random;
 use points::{Points, PointsError};
 use project::{Projection, to_space};
@@ -35,13 +36,22 @@ pub struct Options {
     pub iterations: usize,
     /// β, the weight of bending.
     pub bending: f64,
+    /// Whether to stop before tetrahedra meet, where the start is an embedding.
+    pub keep_embedded: bool,
     /// How the positions in ℝ³ are made.
     pub projection: Projection,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { dimension: 4, seed: 1, iterations: 300, bending: 0.1, projection: Projection::Perspective }
+        Options {
+            dimension: 4,
+            seed: 1,
+            iterations: 300,
+            bending: 1.0,
+            keep_embedded: true,
+            projection: Projection::Perspective,
+        }
     }
 }
 
@@ -104,16 +114,49 @@ pub fn realise(mesh: &TetrahedralMesh, options: &Options) -> Result<Realised, Re
     if mesh.tetrahedra().is_empty() {
         return Err(RealiseError::Empty);
     }
-    let minimum = energy.minimise(start(mesh, &energy, options)?.coordinates(), n, options.iterations);
-    let points = Points::new(n, minimum.x)?;
+    let mut descent = energy.minimise(start(mesh, &energy, options)?.coordinates(), n, options.iterations);
+    let intersections = match options.keep_embedded {
+        true => while_embedded(mesh, n, &mut descent)?,
+        false => intersections(mesh, &Points::new(n, last(&descent))?),
+    };
+    let points = Points::new(n, last(&descent))?;
     Ok(Realised {
         positions: to_space(&points, options.projection),
         lengths: lengths(mesh, &points),
-        intersections: intersections(mesh, &points),
-        energies: minimum.energies,
+        intersections,
+        energies: descent.energies,
         mesh: mesh.clone(),
         points,
     })
+}
+
+fn last(descent: &Descent) -> Vec<f64> {
+    descent.path.last().expect("it has a start").clone()
+}
+
+/// Cuts a descent from an embedding off at a step that is one too, and the next looked at is none; all of it if its end is one, or its
+/// start is none. Steps between are not all looked at: what counts is where it ends.
+fn while_embedded(mesh: &TetrahedralMesh, n: usize, descent: &mut Descent) -> Result<Intersections, PointsError> {
+    let at = |step: usize| Ok(intersections(mesh, &Points::new(n, descent.path[step].clone())?));
+    let end = descent.path.len() - 1;
+    let whole = at(end)?;
+    if whole.is_embedded() {
+        return Ok(whole);
+    }
+    let mut best = at(0)?;
+    if !best.is_embedded() {
+        return Ok(whole);
+    }
+    let (mut good, mut bad) = (0, end);
+    // The first steps are the long ones, so they are looked at first.
+    while bad - good > 1 {
+        let step = if good == 0 { bad.div_ceil(8).min(bad - 1) } else { good.midpoint(bad) };
+        let found = at(step)?;
+        if found.is_embedded() { (good, best) = (step, found) } else { bad = step }
+    }
+    descent.path.truncate(good + 1);
+    descent.energies.truncate(good + 1);
+    Ok(best)
 }
 
 /// Where the minimisation starts: turned about the circles of H¹ where the mesh is connected, simplicial and has some, or else the

@@ -225,10 +225,10 @@ mod cx_510 {
     #[test]
     fn the_energy_never_rises_and_the_seed_decides() {
         for (mesh, n) in [(cross_polytope(), 4), (grid_torus([3, 3, 3]), 4), (grid_torus([3, 3, 3]), 5)] {
-            let options = Options { dimension: n, iterations: 60, ..Options::default() };
+            let options = Options { dimension: n, iterations: 60, keep_embedded: false, ..Options::default() };
             let ended = realise(&mesh, &options).expect("a placement");
             assert!(ended.energies.windows(2).all(|pair| pair[1] < pair[0]), "{:?}", ended.energies);
-            assert!(ended.energies.len() > 4 && ended.energies.len() <= 61);
+            assert!(ended.energies.len() > 2 && ended.energies.len() <= 61);
             let value = energy(&mesh, options.bending).exact(&ended.points.exact(), n).to_f64();
             assert!((value - ended.energies.last().expect("a start")).abs() < 1e-12);
             assert_eq!(realise(&mesh, &options).expect("a placement"), ended);

@@ -1,7 +1,7 @@
 //! Placing tetrahedra in ℝⁿ: the energy against exact differences, intersections against linear programs.
 
+mod circles;
 mod domain;
 mod energy;
 mod intersections;
 mod program;
-mod trial;
