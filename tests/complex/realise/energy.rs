@@ -105,7 +105,8 @@ mod cx_501 {
             let x = exact(&x);
             // The rotation by the angle whose half has the tangent p/d, in the first and the last axis, then a translation; and a mirror.
             let t = q(p, d);
-            let scale = (1 + Rational::from(t.square_ref())).recip();
+            let sum: Rational = 1 + Rational::from(t.square_ref());
+            let scale = sum.recip();
             let (c, s) = ((1 - Rational::from(t.square_ref())) * &scale, t * Rational::from(2) * &scale);
             let (mut turned, mut mirrored) = (x.clone(), x.clone());
             for (point, at) in turned.chunks_exact_mut(n).zip(x.chunks_exact(n)) {
