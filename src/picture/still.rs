@@ -8,8 +8,8 @@ use svg::node::element::{Circle, Group, Line, Polygon, Rectangle, Style, Text};
 /// The size of the picture, and of the part of it that the complex may fill.
 const WIDTH: f64 = 960.0;
 const HEIGHT: f64 = 780.0;
-const RADIUS: f64 = 330.0;
-const CENTRE: [f64; 2] = [480.0, 410.0];
+const RADIUS: f64 = 360.0;
+const CENTRE: [f64; 2] = [500.0, 390.0];
 
 /// The view: to the right, upward, toward the viewer; 32° to the side and 21° from above.
 const VIEW: [[f64; 3]; 3] =
@@ -67,15 +67,19 @@ fn words(mut document: Document, scene: &Scene) -> Document {
         let dot = Circle::new().set("cx", 35).set("cy", y - 4.5).set("r", 6).set("fill", hex(colour(group), 1.0));
         document = document.add(dot).add(text(50.0, y, 14, "soft", name));
     }
-    let mut line = String::new();
     let (last, others) = scene.facts.split_last().expect("there are facts");
+    // Counts on one line, what was measured on the next.
+    let mut lines = [String::new(), String::new()];
     for (name, value) in others {
+        let is_count = value.chars().all(|c| c.is_ascii_digit() || c == '\u{202f}');
+        let line = &mut lines[usize::from(!is_count)];
         let separator = if line.is_empty() { "" } else { " · " };
-        let counted = value.chars().all(|c| c.is_ascii_digit() || c == '\u{202f}');
-        let fact = if counted { format!("{value} {name}") } else { format!("{name} {value}") };
+        let fact = if is_count { format!("{value} {name}") } else { format!("{name} {value}") };
         write!(line, "{separator}{fact}").expect("a text can be written to");
     }
-    document = document.add(text(28.0, HEIGHT - 46.0, 14, "soft", &line));
+    for (i, line) in lines.iter().enumerate() {
+        document = document.add(text(28.0, HEIGHT - 66.0 + 22.0 * i as f64, 14, "soft", line));
+    }
     document.add(text(28.0, HEIGHT - 22.0, 14, "ink", &format!("{} {}", last.0, last.1)))
 }
 

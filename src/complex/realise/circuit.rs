@@ -45,7 +45,7 @@ pub fn circuit(points: &[&[f64]], sides: &[Side]) -> Option<Circuit> {
         for (position, i) in members(set).enumerate() {
             let others = set & !(1 << i);
             let chi = *known[others].get_or_insert_with(|| chi(points, others, &coordinates));
-            match if position % 2 == 0 { chi } else { -chi } {
+            match if position.is_multiple_of(2) { chi } else { -chi } {
                 Sign::Zero => {}
                 Sign::Positive => parts[0] |= 1 << i,
                 Sign::Negative => parts[1] |= 1 << i,
@@ -80,7 +80,7 @@ pub fn common_point(first: &[&[f64]], second: &[&[f64]]) -> Vec<Rational> {
     let weight = |i: usize| {
         let others: Vec<&[f64]> = points.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, p)| *p).collect();
         let size = determinant(&others, &coordinates);
-        if i % 2 == 0 { size } else { -size }
+        if i.is_multiple_of(2) { size } else { -size }
     };
     let weights: Vec<Rational> = (0..first.len()).map(weight).collect();
     let total = weights.iter().fold(Rational::new(), |sum, w| sum + w);

@@ -38,7 +38,7 @@ fn exact(x: &[f64]) -> Vec<Rational> {
 }
 
 fn moved(x: &[Rational], h: &[Rational], t: i64) -> Vec<Rational> {
-    x.iter().zip(h).map(|(x, h)| x + Rational::from(h * Rational::from(t))).collect()
+    x.iter().zip(h).map(|(x, h)| x + h * Rational::from(t)).collect()
 }
 
 /// A case: the number of a mesh, n, β, a placement and a direction, of which as much is used as the mesh needs.
@@ -67,7 +67,8 @@ fn by_vertices(mesh: &TetrahedralMesh, bending: &Rational, x: &[Rational], n: us
         let ends = mesh.edges().iter().flat_map(|[a, b]| [[*a, *b], [*b, *a]]).filter(|[a, _]| *a == v);
         let neighbours: Vec<u32> = ends.map(|[_, b]| b).collect();
         for w in &neighbours {
-            twice_uniformity += Rational::from(square(&minus(at(*w), at(v))) - 1_u32).square();
+            let deviation: Rational = square(&minus(at(*w), at(v))) - 1_u32;
+            twice_uniformity += deviation.square();
         }
         let others: Vec<u32> = neighbours.into_iter().filter(|w| *w != v).collect();
         if let Some(count) = Some(others.len()).filter(|count| *count > 0) {
@@ -104,7 +105,8 @@ mod cx_501 {
             let x = exact(&x);
             // The rotation by the angle whose half has the tangent p/d, in the first and the last axis, then a translation; and a mirror.
             let t = q(p, d);
-            let scale = Rational::from(1 + Rational::from(t.square_ref())).recip();
+            let sum: Rational = 1 + Rational::from(t.square_ref());
+            let scale = sum.recip();
             let (c, s) = ((1 - Rational::from(t.square_ref())) * &scale, t * Rational::from(2) * &scale);
             let (mut turned, mut mirrored) = (x.clone(), x.clone());
             for (point, at) in turned.chunks_exact_mut(n).zip(x.chunks_exact(n)) {
