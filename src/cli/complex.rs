@@ -7,7 +7,7 @@ use isoracle::answer::scheme_file::{self, SchemeFileError};
 use isoracle::complex::check;
 use isoracle::complex::closed_complex::ClosedComplex;
 use isoracle::complex::gluing_table::GluingTable;
-use isoracle::complex::isosig;
+use isoracle::complex::isosig_fast as isosig;
 use isoracle::complex::realise::intersections::Intersections;
 use isoracle::complex::realise::mesh::{NotSimplicial, TetrahedralMesh};
 use isoracle::complex::realise::{self, Options, RealiseError, Realised};
@@ -103,12 +103,12 @@ enum Failure {
     #[error(
         "--out: {tetrahedra} tetrahedra are too many for a signature, which takes the square of their number in steps"
     )]
-    #[diagnostic(help("at most 2,000; .gluings and .tri have no limit"))]
+    #[diagnostic(help("at most 20,000; .gluings and .tri have no limit"))]
     TooManyToSign { tetrahedra: usize },
 }
 
 /// The most tetrahedra of which a signature is written.
-const MAX_SIGNED: usize = 2_000;
+const MAX_SIGNED: usize = 20_000;
 
 /// The files that `--out` writes.
 const COMBINATORIAL: [&str; 4] = ["tri", "isosig", "gluings", "scheme"];

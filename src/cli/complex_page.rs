@@ -4,7 +4,7 @@ use isoracle::answer::complex::report;
 use isoracle::complex::abelian::AbelianGroup;
 use isoracle::complex::check::Facts;
 use isoracle::complex::closed_complex::ClosedComplex;
-use isoracle::complex::isosig;
+use isoracle::complex::isosig_fast as isosig;
 use isoracle::complex::manifold::Manifold3;
 use isoracle::complex::presentation::Presentation;
 use isoracle::complex::refine::counts::printed_counts;
@@ -16,8 +16,8 @@ use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::io::{self, Write};
 
-/// The most topological tetrahedra whose isomorphism signature stands on the page: it takes 96 t² steps.
-const MAX_SIGNED: usize = 400;
+/// The most topological tetrahedra whose isomorphism signature stands on the page: longer ones fill it.
+const MAX_SIGNED: usize = 200;
 
 /// What is known of a scheme.
 pub struct Page {

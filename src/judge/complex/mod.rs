@@ -80,11 +80,6 @@ fn truth(question: &Question) -> Result<Value, &'static str> {
     }
 }
 
-/// Whether the oracle refines.
-fn has_refine() -> bool {
-    answer::OPERATIONS.iter().any(|(name, _)| *name == "complex.refine")
-}
-
 /// The reasons for which a scheme is no manifold, none iff it is one.
 fn reasons(scheme: &GluingScheme) -> BTreeSet<Reason> {
     let manifold = ClosedComplex::new(scheme.clone()).and_then(Manifold3::of);

@@ -3,7 +3,7 @@
 use super::bases;
 use super::disguise::disguised;
 use super::plant::plant;
-use super::{has_refine, reasons};
+use super::reasons;
 use crate::answer::complex;
 use crate::answer::value::{self, InvalidField, Object};
 use crate::complex::scheme::{FaceId, GluingScheme, Reason};
@@ -59,8 +59,7 @@ impl Row {
 
     /// The groups beside the cases.
     pub fn groups() -> Vec<Row> {
-        let refined = if has_refine() { &Row::REFINED[..] } else { &[] };
-        [&Row::GLUED[..], refined].concat()
+        [&Row::GLUED[..], &Row::REFINED].concat()
     }
 
     /// "manifolds", "unmatched-face", …, "refinements".
