@@ -30,8 +30,8 @@ impl AbelianGroup {
     }
 
     /// Whether the torsion is A ⊕ A for some A: that of H₁ is, if a closed orientable 3-manifold lies in ℝ⁴ without crossing itself
-    /// (CX-509).
-    #[doc(alias = "CX-511")]
+    /// (CX-93).
+    #[doc(alias = "CX-95")]
     pub fn torsion_is_double(&self) -> bool {
         // With t₁ | t₂ | … the two summands A have every other coefficient.
         self.torsion.chunks(2).all(|pair| pair.len() == 2 && pair[0] == pair[1])
@@ -63,8 +63,8 @@ fn superscript(n: usize) -> String {
 }
 
 impl ClosedComplex {
-    /// H₁ over ℤ, from the boundaries of its cells. Of a manifold the dual cells have the same (CX-408).
-    #[doc(alias = "CX-408")]
+    /// H₁ over ℤ, from the boundaries of its cells. Of a manifold the dual cells have the same (CX-7).
+    #[doc(alias = "CX-7")]
     pub fn first_homology(&self) -> AbelianGroup {
         let mut homology = self.chain_complex().homology();
         AbelianGroup { rank: homology.betti[1], torsion: homology.torsion.swap_remove(1) }

@@ -31,9 +31,9 @@ impl Census {
         &self.polyhedron
     }
 
-    /// How many there are: Π (m − 1)!!·(2n)^{m/2} over the numbers m of n-gons, 0 if one of them is odd (CX-410). `None` from
+    /// How many there are: Π (m − 1)!!·(2n)^{m/2} over the numbers m of n-gons, 0 if one of them is odd (CX-9). `None` from
     /// 2¹²⁸ on.
-    #[doc(alias = "CX-410")]
+    #[doc(alias = "CX-9")]
     pub fn count(&self) -> Option<u128> {
         let mut open: Vec<usize> = self.polyhedron.faces.iter().map(Vec::len).collect();
         open.sort_unstable();
@@ -117,8 +117,8 @@ impl Display for Kind {
 ///
 /// # Errors
 /// Iff it has a defect by itself ([`GluingScheme::defects`]).
-#[doc(alias = "CX-411")]
-#[doc(alias = "CX-412")]
+#[doc(alias = "CX-10")]
+#[doc(alias = "CX-11")]
 pub fn kind(scheme: GluingScheme) -> Result<Kind, Vec<SchemeDefect>> {
     let complex = match ClosedComplex::new(scheme) {
         Ok(complex) => complex,

@@ -21,7 +21,7 @@ impl ClosedComplex {
     ///
     /// # Errors
     /// Iff the scheme has a defect by itself, or an edge is glued to itself, tail to head: all of them, never none.
-    #[doc(alias = "CX-402")]
+    #[doc(alias = "CX-2")]
     pub fn new(scheme: GluingScheme) -> Result<ClosedComplex, Vec<SchemeDefect>> {
         let defects = scheme.defects();
         if !defects.is_empty() {
@@ -64,7 +64,7 @@ impl ClosedComplex {
     }
 
     /// The number t of face-edge pairs, with multiplicity: Σ |F_e| = Σ |E_f|.
-    #[doc(alias = "CX-207")]
+    #[doc(alias = "CX-50")]
     pub fn facet_edge_pairs(&self) -> usize {
         self.flags.len() / 4
     }

@@ -13,13 +13,13 @@ pub fn disjoint_union(a: &GluingScheme, b: &GluingScheme) -> GluingScheme {
     }
 }
 
-/// M # N: a ball is taken out of each, and the spheres around the holes are glued (CX-413).
+/// M # N: a ball is taken out of each, and the spheres around the holes are glued (CX-12).
 ///
 /// Each becomes a loop in the face of its first pairing, at a corner, and the disc in the loop is slit open: the two sides of the
 /// slit are the sphere. Each is glued to one of the other manifold: V = V_M + V_N − 1, E = E_M + E_N + 1, F = F_M + F_N + 2,
 /// P = P_M + P_N. Where both are orientable, the polyhedra of the two faces `a` keep their orientations, all faces seen from
 /// outside; M # N and M # (−N) may differ. Of a manifold in several components the one with that face takes part.
-#[doc(alias = "CX-413")]
+#[doc(alias = "CX-12")]
 pub fn connected_sum(m: &Manifold3, n: &Manifold3) -> GluingScheme {
     let [(slit_m, [a, b], dir_m), (slit_n, monogons_n, dir_n)] = [m, n].map(|manifold| slit(manifold.scheme()));
     let offset = m.scheme().polyhedra.len();

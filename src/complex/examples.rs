@@ -68,7 +68,7 @@ pub fn three_torus() -> GluingScheme {
 
 /// The lens space L(p, q): a ball whose upper p-gon is glued to the lower one after q steps around. For p and q not coprime
 /// it is a manifold too, another one.
-#[doc(alias = "CX-415")]
+#[doc(alias = "CX-14")]
 pub fn lens_space(p: u32, q: u32) -> GluingScheme {
     // Lower corner i is vertex −i: vertex i goes to vertex i + q, which is corner −q − i.
     paired(Polyhedron::lens(p), &[(0, 1, -i64::from(q), -1)])

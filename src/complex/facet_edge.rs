@@ -16,8 +16,8 @@ use thiserror::Error;
 ///
 /// Every sound structure is a closed complex whose edges and faces are cells. Its polyhedra are cones on closed surfaces, as the
 /// neighbourhoods of its vertices are: both may be other surfaces than spheres.
-#[doc(alias = "CX-103")]
-#[doc(alias = "CX-115")]
+#[doc(alias = "CX-17")]
+#[doc(alias = "CX-29")]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FacetEdgeStructure {
     next: Vec<[Handle; 4]>,
@@ -114,7 +114,7 @@ impl FacetEdgeStructure {
     }
 
     /// How many face-edge pairs there are, t.
-    #[doc(alias = "CX-102")]
+    #[doc(alias = "CX-16")]
     pub fn len(&self) -> usize {
         self.next.len()
     }
@@ -139,7 +139,7 @@ impl FacetEdgeStructure {
     }
 
     /// Fnext: the same edge, directed the same way, with the next face around it, as the spin turns.
-    #[doc(alias = "CX-104")]
+    #[doc(alias = "CX-18")]
     pub fn fnext(&self, a: Handle) -> Handle {
         match a.is_reversed() == a.is_counter() {
             true => self.next[a.pair() as usize][field(a)],
@@ -174,14 +174,14 @@ impl FacetEdgeStructure {
     }
 
     /// How many different faces and edges are incident: pairs without multiplicity, at most t.
-    #[doc(alias = "CX-125")]
+    #[doc(alias = "CX-39")]
     pub fn incidences(&self) -> usize {
         let [edges, faces] = [1, 2].map(|k| self.cells(k).0);
         edges.into_iter().zip(faces).collect::<BTreeSet<_>>().len()
     }
 
     /// V, E, F, P.
-    #[doc(alias = "CX-126")]
+    #[doc(alias = "CX-40")]
     pub fn counts(&self) -> [usize; 4] {
         [0, 1, 2, 3].map(|k| self.cells(k).1)
     }
@@ -223,7 +223,7 @@ impl FacetEdgeStructure {
     }
 
     /// The structure of the dual complex: what is primal here is dual there.
-    #[doc(alias = "CX-128")]
+    #[doc(alias = "CX-42")]
     pub fn dual(&self) -> FacetEdgeStructure {
         let swapped = |[a, b, c, d]: [Handle; 4]| [c, d, a, b].map(Handle::in_other_space);
         FacetEdgeStructure { next: self.next.iter().copied().map(swapped).collect() }

@@ -7,7 +7,7 @@ impl FacetEdgeStructure {
     /// The image of each pair's base under an isomorphism to another structure: a map of primal handles that Fnext, Enext, Spin and
     /// Clock commute with. `None` iff there is none. Components are matched first come, first served: being isomorphic is an
     /// equivalence, so that no choice is wrong.
-    #[doc(alias = "CX-129")]
+    #[doc(alias = "CX-43")]
     pub fn isomorphism(&self, other: &FacetEdgeStructure) -> Option<Vec<Handle>> {
         if self.len() != other.len() {
             return None;

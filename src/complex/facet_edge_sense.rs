@@ -29,7 +29,7 @@ pub enum EdgeSense {
 ///
 /// # Panics
 /// If the handles are not primal ones of one pair.
-#[doc(alias = "CX-122")]
+#[doc(alias = "CX-36")]
 pub fn edge_sense(chosen: Handle, h: Handle) -> EdgeSense {
     assert!(
         chosen.pair() == h.pair() && [chosen, h].iter().all(|a| a.space() == Space::Primal),
@@ -45,7 +45,7 @@ pub fn edge_sense(chosen: Handle, h: Handle) -> EdgeSense {
 impl FacetEdgeStructure {
     /// The orbit of each primal handle under Enext, Fnext and Clock, and how many there are: two for each orientable component,
     /// which Spin exchanges, one for each other one.
-    #[doc(alias = "CX-109")]
+    #[doc(alias = "CX-23")]
     pub fn sense_orbits(&self) -> (Vec<u32>, usize) {
         self.orbits(&[&|h| self.enext(h), &|h| self.fnext(h), &|h| h.clock()])
     }
@@ -91,7 +91,7 @@ impl FacetEdgeStructure {
     ///
     /// # Panics
     /// If `chosen` is not a primal handle for each pair, in order.
-    #[doc(alias = "CX-123")]
+    #[doc(alias = "CX-37")]
     pub fn unpaired_sense(&self, chosen: &[Handle]) -> Option<Handle> {
         let is_defined = |h: Handle| edge_sense(chosen[h.pair() as usize], h) != EdgeSense::Ambiguous;
         let across = |h: Handle| [self.fnext(h).spin(), self.enext(h.flip())];
@@ -103,7 +103,7 @@ impl FacetEdgeStructure {
     ///
     /// # Panics
     /// If `chosen` is not a primal handle for each pair, in order.
-    #[doc(alias = "CX-124")]
+    #[doc(alias = "CX-38")]
     pub fn corner_directions(&self, chosen: &[Handle]) -> Vec<Vec<Towards>> {
         let (corner_of, corners) = self.orbits(&[&|h| self.fnext(h).spin(), &|h| self.enext(h.flip())]);
         let mut directions = vec![Vec::new(); corners];

@@ -48,9 +48,9 @@ impl FacetEdgeStructure {
     /// Iff a pair has no record, the faces are one or differ in their numbers of sides, or two sides that are to be one edge are in
     /// one ring otherwise than as a and a Fnext: the edge would be glued to itself, or there is something in between. Nothing is
     /// changed then.
-    #[doc(alias = "CX-116")]
-    #[doc(alias = "CX-117")]
-    #[doc(alias = "CX-118")]
+    #[doc(alias = "CX-30")]
+    #[doc(alias = "CX-31")]
+    #[doc(alias = "CX-32")]
     pub fn glue_tetra(&mut self, a: Handle, b: Handle) -> Result<(), GlueError> {
         if let Some(stray) = [a, b].into_iter().find(|h| !self.has(*h)) {
             return Err(GlueError::NoSuchPair(stray));
@@ -140,7 +140,7 @@ impl FacetEdgeStructure {
     ///
     /// # Errors
     /// Iff the scheme has a defect by itself or an edge is glued to itself, tail to head.
-    #[doc(alias = "CX-119")]
+    #[doc(alias = "CX-33")]
     pub fn glued(scheme: &GluingScheme) -> Result<FacetEdgeStructure, AssemblyError> {
         let defects = scheme.defects();
         if !defects.is_empty() {
@@ -178,7 +178,7 @@ impl FacetEdgeStructure {
 
     /// One handle a for each gluing of a with b = a Fnext: of the t in the primal space and the t in the dual space. A gluing has four,
     /// a, a Spin Clock, b Clock and b Spin, of which the first stands.
-    #[doc(alias = "CX-120")]
+    #[doc(alias = "CX-34")]
     pub fn gluings(&self) -> Vec<Handle> {
         let handles = [Space::Primal, Space::Dual].into_iter().flat_map(|space| self.handles(space));
         let is_first = |a: &Handle| {
@@ -252,7 +252,7 @@ impl SeparateTetrahedra {
     ///
     /// # Panics
     /// If a or b is no pair of the structure that the tetrahedra are of.
-    #[doc(alias = "CX-121")]
+    #[doc(alias = "CX-35")]
     pub fn glue(&mut self, a: Handle, b: Handle) -> Result<(), GlueError> {
         // Triangle i lies opposite corner i.
         let triangles = [a, b.spin()].map(|h| (h, (h.pair(), corners(h)[3])));
@@ -307,7 +307,7 @@ pub fn corners(a: Handle) -> [usize; 4] {
 
 impl ClosedComplex {
     /// The topological tetrahedra glued as 000, section 5.2, has it: [`FacetEdgeStructure::glued_tetrahedra`].
-    #[doc(alias = "CX-127")]
+    #[doc(alias = "CX-41")]
     pub fn glued_tetrahedra(&self) -> FacetEdgeStructure {
         FacetEdgeStructure::of(self).glued_tetrahedra()
     }

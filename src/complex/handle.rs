@@ -30,8 +30,8 @@ impl Space {
 ///
 /// As functions of handles, written behind them: Spin² = Clock² = Sdual² = 1, Spin Clock = Clock Spin, Sdual Clock = Clock
 /// Sdual, Sdual Spin Sdual = Spin Clock. They make the group of order 8 that moves a pair's versions among each other.
-#[doc(alias = "CX-101")]
-#[doc(alias = "CX-108")]
+#[doc(alias = "CX-15")]
+#[doc(alias = "CX-22")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Handle {
     pair: u32,
@@ -74,13 +74,13 @@ impl Handle {
     }
 
     /// Spin: the faces around the edge in the other sense; the edge keeps its direction.
-    #[doc(alias = "CX-106")]
+    #[doc(alias = "CX-20")]
     pub const fn spin(self) -> Handle {
         Handle { counter: !self.counter, ..self }
     }
 
     /// Clock: both rings in the other sense. Seen from the other end of the edge, what turned clockwise turns anticlockwise.
-    #[doc(alias = "CX-105")]
+    #[doc(alias = "CX-19")]
     pub const fn clock(self) -> Handle {
         Handle { reversed: !self.reversed, counter: !self.counter, ..self }
     }
@@ -92,7 +92,7 @@ impl Handle {
 
     /// Sdual: the pair of the dual edge and the dual face. The dual edge is directed as the spin turns, and the spin of the dual
     /// pair turns as the edge is directed.
-    #[doc(alias = "CX-107")]
+    #[doc(alias = "CX-21")]
     pub const fn sdual(self) -> Handle {
         Handle { pair: self.pair, space: self.space.other(), reversed: self.counter, counter: self.reversed }
     }

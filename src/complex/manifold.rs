@@ -14,7 +14,7 @@ impl Manifold3 {
     ///
     /// # Errors
     /// Iff the scheme makes no closed complex, or a surface around a vertex is no sphere: all that is wrong, never nothing.
-    #[doc(alias = "CX-404")]
+    #[doc(alias = "CX-4")]
     pub fn new(scheme: GluingScheme) -> Result<Manifold3, Vec<SchemeDefect>> {
         Manifold3::of(ClosedComplex::new(scheme)?)
     }
@@ -23,7 +23,7 @@ impl Manifold3 {
     ///
     /// # Errors
     /// Iff a surface around a vertex is no sphere: the vertices at which it is none, never nothing.
-    #[doc(alias = "CX-405")]
+    #[doc(alias = "CX-5")]
     pub fn of(complex: ClosedComplex) -> Result<Manifold3, Vec<SchemeDefect>> {
         let links = complex.vertex_links();
         let defects: Vec<SchemeDefect> = (0..)

@@ -86,7 +86,7 @@ impl Polyhedron {
     ///
     /// They do iff each face is a closed walk, each edge is walked along twice, once each way, faces around a vertex make one
     /// fan, and the surface is connected with V − E + F = 2. A sphere bounds one ball, up to homeomorphism.
-    #[doc(alias = "CX-401")]
+    #[doc(alias = "CX-1")]
     pub fn flaw(&self) -> Option<PolyhedronFlaw> {
         if self.faces.is_empty() {
             return Some(PolyhedronFlaw::NoFace);

@@ -198,7 +198,7 @@ impl Reason {
 
 impl SchemeDefect {
     /// Its reason.
-    #[doc(alias = "CX-407")]
+    #[doc(alias = "CX-6")]
     pub fn reason(&self) -> Reason {
         match self {
             SchemeDefect::Empty | SchemeDefect::BadPolyhedron { .. } => Reason::BadPolyhedron,
@@ -228,7 +228,7 @@ impl GluingScheme {
 
     /// What is wrong with polyhedra and pairings by themselves, before anything is glued: polyhedra first, then pairings,
     /// then faces in none. Empty iff every polyhedron is a ball and the pairings match the faces in twos, sizes alike.
-    #[doc(alias = "CX-403")]
+    #[doc(alias = "CX-3")]
     pub fn defects(&self) -> Vec<SchemeDefect> {
         if self.polyhedra.is_empty() {
             return vec![SchemeDefect::Empty];

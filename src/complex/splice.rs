@@ -40,7 +40,7 @@ impl FacetEdgeStructure {
     ///
     /// The space is a 3-sphere of its own with one vertex, one edge, one face and one polyhedron: the lens with one side, its
     /// upper half laid on its lower one.
-    #[doc(alias = "CX-110")]
+    #[doc(alias = "CX-24")]
     pub fn make_facet_edge(&mut self) -> Handle {
         let pair = u32::try_from(self.len()).expect("fewer than 2³² pairs");
         let a = Handle::base(pair);
@@ -58,9 +58,9 @@ impl FacetEdgeStructure {
     /// # Errors
     /// Iff a pair has no record, or the handles are of different spaces, or they have one edge and not the same direction and
     /// spin. Nothing is changed then.
-    #[doc(alias = "CX-111")]
-    #[doc(alias = "CX-112")]
-    #[doc(alias = "CX-114")]
+    #[doc(alias = "CX-25")]
+    #[doc(alias = "CX-26")]
+    #[doc(alias = "CX-28")]
     pub fn splice_facets(&mut self, a: Handle, b: Handle) -> Result<Splice, SpliceError> {
         let effect = self.splice_effect(a, b)?;
         let (after_a, after_b) = (self.fnext(a), self.fnext(b));
@@ -74,7 +74,7 @@ impl FacetEdgeStructure {
     ///
     /// # Errors
     /// As [`FacetEdgeStructure::splice_facets`]; the handles told of are the dual ones.
-    #[doc(alias = "CX-113")]
+    #[doc(alias = "CX-27")]
     pub fn splice_edges(&mut self, a: Handle, b: Handle) -> Result<Splice, SpliceError> {
         self.splice_facets(a.sdual(), b.sdual())
     }

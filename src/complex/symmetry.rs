@@ -37,7 +37,7 @@ impl Symmetry {
 /// All symmetries of a ball's surface, reflections too; the identity is the first. Empty iff it is not a ball.
 ///
 /// A symmetry is known from where it takes one side of one face, and in which direction.
-#[doc(alias = "CX-414")]
+#[doc(alias = "CX-13")]
 pub fn symmetries(polyhedron: &Polyhedron) -> Vec<Symmetry> {
     if polyhedron.flaw().is_some() {
         return Vec::new();

@@ -19,7 +19,7 @@ fn group(rank: usize, torsion: &[u32]) -> AbelianGroup {
     AbelianGroup { rank, torsion: torsion.iter().copied().map(Integer::from).collect() }
 }
 
-mod cx_413 {
+mod cx_12 {
     use super::*;
 
     #[test]

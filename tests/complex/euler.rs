@@ -108,7 +108,7 @@ fn complexes() -> Vec<ClosedComplex> {
     named().into_iter().map(|(_, complex)| complex).chain(small_complexes(5)).collect()
 }
 
-mod cx_305 {
+mod cx_73 {
     use super::*;
 
     #[test]
@@ -152,7 +152,7 @@ mod cx_305 {
     }
 }
 
-mod cx_306 {
+mod cx_74 {
     use super::*;
 
     #[test]
@@ -218,7 +218,7 @@ mod cx_306 {
     }
 }
 
-mod cx_307 {
+mod cx_75 {
     use super::*;
 
     #[test]
@@ -264,7 +264,7 @@ mod cx_307 {
     }
 }
 
-mod cx_308 {
+mod cx_76 {
     use super::*;
 
     /// The links at the vertices of a complex, seen from a triangulation of it whose corner of this number is the vertex there.
@@ -321,7 +321,7 @@ mod cx_308 {
     }
 }
 
-mod cx_309 {
+mod cx_77 {
     use super::*;
 
     fn rings_are_circles(triangulation: &Triangulation) {

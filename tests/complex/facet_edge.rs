@@ -18,7 +18,7 @@ fn complexes() -> Vec<ClosedComplex> {
     examples.chain(closed(tetrahedron_gluings())).chain(closed(cube_gluings())).collect()
 }
 
-mod cx_101 {
+mod cx_15 {
     use super::*;
 
     #[test]
@@ -54,7 +54,7 @@ mod cx_101 {
     }
 }
 
-mod cx_102 {
+mod cx_16 {
     use super::*;
 
     #[test]
@@ -89,7 +89,7 @@ mod cx_102 {
     }
 }
 
-mod cx_103 {
+mod cx_17 {
     use super::*;
 
     #[test]
@@ -119,7 +119,7 @@ mod cx_103 {
     }
 }
 
-mod cx_104 {
+mod cx_18 {
     use super::*;
 
     #[test]
@@ -141,7 +141,7 @@ mod cx_104 {
     }
 }
 
-mod cx_105 {
+mod cx_19 {
     use super::*;
 
     #[test]
@@ -160,7 +160,7 @@ mod cx_105 {
     }
 }
 
-mod cx_106 {
+mod cx_20 {
     use super::*;
 
     #[test]
@@ -178,7 +178,7 @@ mod cx_106 {
     }
 }
 
-mod cx_107 {
+mod cx_21 {
     use super::*;
 
     /// The dual handle of a flag that is read (p, f, e, v): its tail is the polyhedron, its spin turns to the vertex.
@@ -217,7 +217,7 @@ mod cx_107 {
     }
 }
 
-mod cx_108 {
+mod cx_22 {
     use super::*;
 
     #[test]
@@ -239,7 +239,7 @@ mod cx_108 {
     }
 }
 
-mod cx_109 {
+mod cx_23 {
     use super::*;
 
     #[test]
@@ -271,7 +271,7 @@ mod cx_109 {
     }
 }
 
-mod cx_115 {
+mod cx_29 {
     use super::*;
 
     #[test]
@@ -342,7 +342,7 @@ mod cx_115 {
     }
 }
 
-mod cx_125 {
+mod cx_39 {
     use super::*;
 
     #[test]
@@ -357,7 +357,7 @@ mod cx_125 {
     }
 }
 
-mod cx_126 {
+mod cx_40 {
     use super::*;
 
     #[test]
@@ -370,7 +370,7 @@ mod cx_126 {
     }
 }
 
-mod cx_128 {
+mod cx_42 {
     use super::*;
 
     #[test]

@@ -7,7 +7,7 @@ use isoracle::complex::facet_edge::FacetEdgeStructure;
 use isoracle::complex::handle::{Handle, Space};
 use proptest::prelude::*;
 
-mod cx_129 {
+mod cx_43 {
     use super::*;
 
     /// A handle that has the turns of one against its base, done to another one.

@@ -14,7 +14,7 @@ fn walked([a, b, c]: [usize; 3]) -> [[usize; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
-mod cx_122 {
+mod cx_36 {
     use super::*;
 
     #[test]
@@ -53,7 +53,7 @@ mod cx_122 {
     }
 }
 
-mod cx_123 {
+mod cx_37 {
     use super::*;
 
     #[test]
@@ -105,7 +105,7 @@ mod cx_123 {
     }
 }
 
-mod cx_124 {
+mod cx_38 {
     use super::*;
 
     #[test]

@@ -76,7 +76,7 @@ fn complexes() -> Vec<(String, ClosedComplex)> {
     examples().into_iter().chain(gluings).collect()
 }
 
-mod cx_116 {
+mod cx_30 {
     use super::*;
 
     #[test]
@@ -131,7 +131,7 @@ mod cx_116 {
     }
 }
 
-mod cx_117 {
+mod cx_31 {
     use super::*;
 
     /// Rings that are one already have a and b next to each other: in every gluing of every complex.
@@ -189,7 +189,7 @@ mod cx_117 {
     }
 }
 
-mod cx_118 {
+mod cx_32 {
     use super::*;
 
     #[test]
@@ -276,7 +276,7 @@ mod cx_118 {
     }
 }
 
-mod cx_119 {
+mod cx_33 {
     use super::*;
 
     #[test]
@@ -340,7 +340,7 @@ mod cx_119 {
     }
 }
 
-mod cx_120 {
+mod cx_34 {
     use super::*;
 
     #[test]
@@ -417,7 +417,7 @@ mod cx_120 {
     }
 }
 
-mod cx_121 {
+mod cx_35 {
     use super::*;
 
     /// The pairs whose tetrahedra have two of their own triangles glued.
@@ -467,7 +467,7 @@ mod cx_121 {
     }
 }
 
-mod cx_127 {
+mod cx_41 {
     use super::*;
 
     #[test]

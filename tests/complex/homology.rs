@@ -37,7 +37,7 @@ fn is_right(complex: &ClosedComplex, homology: &Homology) {
     }
 }
 
-mod cx_301 {
+mod cx_69 {
     use super::*;
 
     #[test]
@@ -105,7 +105,7 @@ mod cx_301 {
     }
 }
 
-mod cx_302 {
+mod cx_70 {
     use super::*;
 
     fn agree(complex: &ClosedComplex, name: &str) -> Homology {
@@ -137,7 +137,7 @@ mod cx_302 {
     }
 }
 
-mod cx_303 {
+mod cx_71 {
     use super::*;
 
     #[test]
@@ -160,7 +160,7 @@ mod cx_303 {
     }
 }
 
-mod cx_304 {
+mod cx_72 {
     use super::*;
 
     #[test]

@@ -23,7 +23,7 @@ fn lens(p: u32, q: u32) -> Triangulation {
     ClosedComplex::new(lens_space(p, q)).expect("a lens space").tetrahedra()
 }
 
-mod cx_315 {
+mod cx_83 {
     use super::*;
 
     #[test]
@@ -101,7 +101,7 @@ mod cx_315 {
     }
 }
 
-mod cx_316 {
+mod cx_84 {
     use super::*;
 
     /// Small coefficients, and some beyond 64 bits.

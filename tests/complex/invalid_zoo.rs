@@ -8,7 +8,7 @@ use isoracle::complex::scheme::{PairingFlaw, Reason, SchemeDefect};
 use isoracle::complex::zoo::invalid::{Broken, all, get, names};
 use std::collections::BTreeSet;
 
-mod cx_407 {
+mod cx_6 {
     use super::*;
 
     #[test]

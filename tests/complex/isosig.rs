@@ -123,7 +123,7 @@ fn isomorphic(a: &Triangulation, b: &Triangulation) -> bool {
     a.len() == b.len() && laid(a, b, &mut Vec::new())
 }
 
-mod cx_601 {
+mod cx_97 {
     use super::*;
 
     #[test]
@@ -235,7 +235,7 @@ mod cx_601 {
 /// Signatures of L(3, 1), L(5, 2), the 3-torus.
 const KNOWN: [&str; 3] = ["dLQbccchhgb", "fvPQcdecdeeffofoo", "mvvLPQwQQhihjhfgklklklxxxxaxxxxaxxa"];
 
-mod cx_602 {
+mod cx_98 {
     use super::*;
 
     #[test]
@@ -323,7 +323,7 @@ mod cx_602 {
     }
 }
 
-mod cx_603 {
+mod cx_99 {
     use super::*;
 
     /// Example3.threeTorus(), as Regina 7.4 prints it; its signature there is gvLQQedfedffrwawrhh.

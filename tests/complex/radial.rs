@@ -25,7 +25,7 @@ fn is_glued_to_itself_around(base: &Triangulation, edge: [usize; 2]) -> bool {
     base.gluings().iter().enumerate().any(|(i, row)| around.iter().any(|j| row[*j].tetrahedron as usize == i))
 }
 
-mod cx_210 {
+mod cx_53 {
     use super::*;
 
     #[test]
@@ -51,7 +51,7 @@ mod cx_210 {
     }
 }
 
-mod cx_211 {
+mod cx_54 {
     use super::*;
 
     fn homology(triangulation: &Triangulation) -> Homology {
@@ -125,7 +125,7 @@ mod cx_211 {
     }
 }
 
-mod cx_212 {
+mod cx_55 {
     use super::*;
 
     #[test]
@@ -166,7 +166,7 @@ mod cx_212 {
     }
 }
 
-mod cx_213 {
+mod cx_56 {
     use super::*;
 
     #[test]

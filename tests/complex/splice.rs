@@ -106,7 +106,7 @@ fn assert_contract(before: &FacetEdgeStructure, a: Handle, b: Handle) -> Result<
     effect
 }
 
-mod cx_110 {
+mod cx_24 {
     use super::*;
 
     #[test]
@@ -136,7 +136,7 @@ mod cx_110 {
     }
 }
 
-mod cx_111 {
+mod cx_25 {
     use super::*;
 
     #[test]
@@ -219,7 +219,7 @@ mod cx_111 {
     }
 }
 
-mod cx_112 {
+mod cx_26 {
     use super::*;
 
     /// Where the second handle of a splice is taken from.
@@ -282,7 +282,7 @@ mod cx_112 {
     }
 }
 
-mod cx_113 {
+mod cx_27 {
     use super::*;
 
     #[test]
@@ -326,7 +326,7 @@ mod cx_113 {
     }
 }
 
-mod cx_114 {
+mod cx_28 {
     use super::*;
 
     /// The structure made again from isolated pairs: rings of faces, then rings of edges, member by member.

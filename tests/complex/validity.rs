@@ -120,7 +120,7 @@ proptest! {
     }
 }
 
-mod cx_401 {
+mod cx_1 {
     use super::*;
 
     #[test]
@@ -179,7 +179,7 @@ mod cx_401 {
     }
 }
 
-mod cx_402 {
+mod cx_2 {
     use super::*;
 
     #[test]
@@ -225,7 +225,7 @@ mod cx_402 {
     }
 }
 
-mod cx_403 {
+mod cx_3 {
     use super::*;
 
     #[test]
@@ -281,7 +281,7 @@ mod cx_403 {
     }
 }
 
-mod cx_404 {
+mod cx_4 {
     use super::*;
 
     #[test]
@@ -307,7 +307,7 @@ mod cx_404 {
     }
 }
 
-mod cx_405 {
+mod cx_5 {
     use super::*;
 
     #[test]
@@ -356,7 +356,7 @@ mod euler_characteristics {
     }
 }
 
-mod cx_408 {
+mod cx_7 {
     use super::*;
 
     #[test]

@@ -19,7 +19,7 @@ fn manifold(name: &str) -> Manifold3 {
     Manifold3::new(get(name).expect("a specimen").scheme).expect("the zoo holds manifolds")
 }
 
-mod cx_409 {
+mod cx_8 {
     use super::*;
 
     #[test]
@@ -110,7 +110,7 @@ mod cx_409 {
     }
 }
 
-mod cx_415 {
+mod cx_14 {
     use super::*;
 
     fn gcd(a: u32, b: u32) -> u32 {

@@ -2,7 +2,7 @@
 
 use super::*;
 
-mod cx_606 {
+mod cx_102 {
     use super::*;
 
     #[test]

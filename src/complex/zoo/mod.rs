@@ -88,7 +88,7 @@ pub fn names() -> Vec<&'static str> {
 }
 
 /// The specimen of that name. `None` iff there is none.
-#[doc(alias = "CX-409")]
+#[doc(alias = "CX-8")]
 pub fn get(name: &str) -> Option<Specimen> {
     rows().find(|row| row.name == name).map(Row::specimen)
 }

@@ -95,7 +95,7 @@ const REFINED: [Field; 10] = [
 ///
 /// Lists are compared sorted; torsion as a group, so that 2, 6 and 2, 2, 3 are one. Any reason that holds will do. Where a scheme is
 /// no manifold because of the surfaces around its vertices, its numbers need not be there, and are judged if they are.
-#[doc(alias = "CX-606")]
+#[doc(alias = "CX-102")]
 pub fn compare(operation: &str, truth: &Value, found: &Value) -> (Vec<Fault>, Vec<String>) {
     let mut comparison = Comparison { faults: Vec::new(), left_out: Vec::new(), said: 0 };
     match operation {
@@ -221,18 +221,18 @@ fn torsion(list: &Value) -> Option<Vec<Integer>> {
 /// The spec entry of a field's truth.
 fn formula(field: &str) -> &'static str {
     match field.split('.').next().expect("split has a first part") {
-        "valid" => "CX-405",
-        "reason" => "CX-407",
-        "chi" | "cells" => "CX-306",
-        "facet_edge_pairs" | "edge_ring_sizes" | "face_degrees" => "CX-102",
-        "components" | "homology" => "CX-302",
-        "orientable" => "CX-307",
-        "tetrahedra" => "CX-205",
-        "barycentric" => "CX-203",
-        "V" | "E" | "F" | "T" => "CX-218",
-        "simplicial" => "CX-222",
-        "degenerate_tetrahedra" | "duplicate_tetrahedra" => "CX-225",
-        "as_printed" => "CX-219",
-        _ => "CX-606",
+        "valid" => "CX-5",
+        "reason" => "CX-6",
+        "chi" | "cells" => "CX-74",
+        "facet_edge_pairs" | "edge_ring_sizes" | "face_degrees" => "CX-16",
+        "components" | "homology" => "CX-70",
+        "orientable" => "CX-75",
+        "tetrahedra" => "CX-48",
+        "barycentric" => "CX-46",
+        "V" | "E" | "F" | "T" => "CX-61",
+        "simplicial" => "CX-65",
+        "degenerate_tetrahedra" | "duplicate_tetrahedra" => "CX-68",
+        "as_printed" => "CX-62",
+        _ => "CX-102",
     }
 }
