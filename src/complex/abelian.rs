@@ -30,8 +30,8 @@ impl AbelianGroup {
     }
 
     /// Whether the torsion is A ⊕ A for some A: that of H₁ is, if a closed orientable 3-manifold lies in ℝ⁴ without crossing itself
-    /// (CX-93).
-    #[doc(alias = "CX-95")]
+    /// (CX-89).
+    #[doc(alias = "CX-91")]
     pub fn torsion_is_double(&self) -> bool {
         // With t₁ | t₂ | … the two summands A have every other coefficient.
         self.torsion.chunks(2).all(|pair| pair.len() == 2 && pair[0] == pair[1])

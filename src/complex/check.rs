@@ -57,9 +57,9 @@ pub struct VertexSets {
 
 /// The facts about a triangulation, each by its definition.
 ///
-/// It is a closed 3-manifold iff no edge is reversed and every vertex has a sphere around it (CX-44): a triangle for each corner
+/// It is a closed 3-manifold iff no edge is reversed and every vertex has a sphere around it (CX-5): a triangle for each corner
 /// of a tetrahedron there, an edge for each corner of a triangle, a vertex for each end of an edge.
-#[doc(alias = "CX-44")]
+#[doc(alias = "CX-5")]
 pub fn check(triangulation: &Triangulation) -> Facts {
     let mut components = Partition::new(triangulation.len());
     for (tetrahedron, gluings) in triangulation.gluings().iter().enumerate() {
@@ -78,7 +78,7 @@ pub fn check(triangulation: &Triangulation) -> Facts {
 
 /// Degenerate and duplicate tetrahedra, and whether the triangulation is a simplicial complex. A pair of degenerate tetrahedra in the
 /// sense of 000, footnote 4, is two different ones with the same vertices.
-#[doc(alias = "CX-68")]
+#[doc(alias = "CX-64")]
 pub fn vertex_sets(triangulation: &Triangulation) -> VertexSets {
     let skeleton = triangulation.skeleton();
     let [_, edge_count, triangle_count, tetrahedra] = skeleton.counts;

@@ -64,7 +64,7 @@ impl ClosedComplex {
     }
 
     /// The number t of face-edge pairs, with multiplicity: Σ |F_e| = Σ |E_f|.
-    #[doc(alias = "CX-50")]
+    #[doc(alias = "CX-16")]
     pub fn facet_edge_pairs(&self) -> usize {
         self.flags.len() / 4
     }

@@ -28,7 +28,7 @@ pub enum R4Obstruction {
 ///
 /// Hantzsche (1938): if a closed orientable 3-manifold M lies in S⁴, locally flat, then the torsion of H₁(M) is A ⊕ A. Every closed
 /// 3-manifold embeds in ℝ⁵ (Hirsch; Wall 1965; Rokhlin), and is immersed in ℝ⁴.
-#[doc(alias = "CX-93")]
+#[doc(alias = "CX-89")]
 pub fn r4_obstruction(manifold: &Manifold3) -> Option<R4Obstruction> {
     components(manifold.scheme()).into_iter().find_map(|(polyhedron, scheme)| {
         let component = ClosedComplex::new(scheme).expect("a component of a closed complex is one");

@@ -5,10 +5,10 @@ use super::triangulation::Triangulation;
 use crate::mesh::classify::ClosedSurface;
 
 impl ClosedComplex {
-    /// χ = Σ (1 − χ(link v)/2) over the vertices (CX-73): 0 iff all links are
-    /// spheres (CX-74).
-    #[doc(alias = "CX-73")]
-    #[doc(alias = "CX-74")]
+    /// χ = Σ (1 − χ(link v)/2) over the vertices (CX-69): 0 iff all links are
+    /// spheres (CX-70).
+    #[doc(alias = "CX-69")]
+    #[doc(alias = "CX-70")]
     pub fn euler_characteristic_by_links(&self) -> i64 {
         by_links(&self.vertex_links(), 0)
     }
@@ -21,8 +21,8 @@ impl Triangulation {
         v - e + f - t
     }
 
-    /// χ = Σ (1 − χ(link v)/2) − r/2 over the vertices, where r edges are glued to themselves, tail to head (CX-73).
-    #[doc(alias = "CX-73")]
+    /// χ = Σ (1 − χ(link v)/2) − r/2 over the vertices, where r edges are glued to themselves, tail to head (CX-69).
+    #[doc(alias = "CX-69")]
     pub fn euler_characteristic_by_links(&self) -> i64 {
         by_links(&self.vertex_links(), self.reversed_edges().len())
     }

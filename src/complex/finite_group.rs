@@ -93,9 +93,9 @@ impl FiniteGroup {
 }
 
 impl Presentation {
-    /// How many homomorphisms lead to a finite group (CX-81): choices of images such that each relator becomes 1. Of order
+    /// How many homomorphisms lead to a finite group (CX-77): choices of images such that each relator becomes 1. Of order
     /// |G|^n for n generators in the worst case, so a group is best simplified before.
-    #[doc(alias = "CX-81")]
+    #[doc(alias = "CX-77")]
     pub fn homomorphism_count(&self, group: &FiniteGroup) -> Integer {
         // Relators are tested as soon as the last one of their generators has its image.
         let mut tests: Vec<Vec<&Word>> = vec![Vec::new(); self.generators()];

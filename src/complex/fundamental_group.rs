@@ -9,16 +9,16 @@ use super::triangulation_chain::{ReversedEdge, corners_of_triangle};
 use crate::partition::Partition;
 
 impl ClosedComplex {
-    /// The fundamental group of each component, in the order of their first flags (CX-78): a generator for each edge off a
+    /// The fundamental group of each component, in the order of their first flags (CX-74): a generator for each edge off a
     /// spanning tree of the vertices, a relator for each face, the walk around it.
-    #[doc(alias = "CX-78")]
+    #[doc(alias = "CX-74")]
     pub fn fundamental_groups(&self) -> Vec<Presentation> {
         self.groups([0, 1, 2, 3])
     }
 
-    /// The fundamental group of each component less its vertices (CX-79): a generator for each face off a spanning tree
+    /// The fundamental group of each component less its vertices (CX-75): a generator for each face off a spanning tree
     /// of the polyhedra, which goes through it, a relator for each edge, the walk around it.
-    #[doc(alias = "CX-79")]
+    #[doc(alias = "CX-75")]
     pub fn fundamental_groups_off_vertices(&self) -> Vec<Presentation> {
         self.groups([3, 2, 1, 0])
     }
@@ -69,19 +69,19 @@ impl ClosedComplex {
 }
 
 impl Manifold3 {
-    /// The fundamental group of each component by the dual cells (CX-79): without its vertices a manifold has the same group.
+    /// The fundamental group of each component by the dual cells (CX-75): without its vertices a manifold has the same group.
     pub fn dual_fundamental_groups(&self) -> Vec<Presentation> {
         self.complex().fundamental_groups_off_vertices()
     }
 }
 
 impl Triangulation {
-    /// The fundamental group of each component, in the order of their first tetrahedra (CX-78): a generator for each edge off
+    /// The fundamental group of each component, in the order of their first tetrahedra (CX-74): a generator for each edge off
     /// a spanning tree of the vertices, a relator for each triangle.
     ///
     /// # Errors
     /// Iff an edge is glued to itself, tail to head: the first one.
-    #[doc(alias = "CX-78")]
+    #[doc(alias = "CX-74")]
     pub fn fundamental_groups(&self) -> Result<Vec<Presentation>, ReversedEdge> {
         let skeleton = self.directed_skeleton()?;
         let components = self.components();

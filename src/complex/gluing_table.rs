@@ -29,7 +29,7 @@ impl Triangulation {
     ///
     /// # Errors
     /// Iff images are no permutation, or the gluings do not fit one another ([`Triangulation::new`]).
-    #[doc(alias = "CX-100")]
+    #[doc(alias = "CX-96")]
     pub fn of_rows(rows: impl IntoIterator<Item = ([u32; 4], [[u8; 4]; 4])>) -> Result<Triangulation, TableError> {
         let mut gluings = Vec::new();
         for (tetrahedron, (others, images)) in rows.into_iter().enumerate() {
@@ -55,7 +55,7 @@ impl Triangulation {
 /// The table of a triangulation's gluings, as Regina's long description has it: a row a tetrahedron; for each of its triangles,
 /// named by its corners, the tetrahedron across it and which of its corners they are.
 #[derive(Clone, Copy, Debug)]
-#[doc(alias = "CX-99")]
+#[doc(alias = "CX-95")]
 pub struct GluingTable<'a>(pub &'a Triangulation);
 
 /// The corners of triangles 3, 2, 1, 0.

@@ -9,7 +9,7 @@ use std::collections::VecDeque;
 
 const UNKNOWN: u32 = u32::MAX;
 
-/// H₀ … H₃ over ℤ of a closed triangulation (CX-71, CX-72, CX-83), the links of its vertices being any surfaces.
+/// H₀ … H₃ over ℤ of a closed triangulation (CX-67, CX-68, CX-79), the links of its vertices being any surfaces.
 ///
 /// H₀ and H₃ are the components and those that can be oriented. H₁ is ℤ^E modulo a spanning forest of the vertices and the
 /// boundaries of the triangles: what the edges are there is found triangle by triangle. H₂ has the torsion ℤ/2 for each
@@ -17,9 +17,9 @@ const UNKNOWN: u32 = u32::MAX;
 ///
 /// # Errors
 /// Iff an edge is glued to itself, tail to head: the first one.
-#[doc(alias = "CX-71")]
-#[doc(alias = "CX-72")]
-#[doc(alias = "CX-83")]
+#[doc(alias = "CX-67")]
+#[doc(alias = "CX-68")]
+#[doc(alias = "CX-79")]
 pub fn homology(triangulation: &Triangulation) -> Result<Homology, ReversedEdge> {
     let cells = Cells::new(triangulation)?;
     let components = triangulation.components().orientable;

@@ -22,7 +22,7 @@ const TO_A_KNOWN_ONE: u8 = 2;
 /// That of a connected one of n tetrahedra is the least, by the bytes of ASCII, of 24 n words, one for each tetrahedron to
 /// begin with and each order of its corners; of others, those of the components, in order. Of none it is `a`.
 /// Takes 96 n² steps: seconds for 1,000 tetrahedra. [`isosig_fast`](super::isosig_fast) gives up most words early.
-#[doc(alias = "CX-97")]
+#[doc(alias = "CX-93")]
 pub fn signature(triangulation: &Triangulation) -> String {
     of_components(triangulation, |component| {
         let words = beginnings(component).map(|(begin, labels)| Walk::new(triangulation, begin, labels).word());
@@ -248,7 +248,7 @@ pub enum SignatureError {
 /// # Errors
 /// Iff the text is empty, or describes no closed triangulation by its letters alone; the first reason, with its place. Spaces are none
 /// of the letters. Nothing is allocated for a size that the length of the text does not allow.
-#[doc(alias = "CX-98")]
+#[doc(alias = "CX-94")]
 pub fn triangulation(signature: &str) -> Result<Triangulation, SignatureError> {
     let mut digits = Vec::new();
     for (position, found) in signature.chars().enumerate() {

@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 
 /// The signature of a triangulation, as [`isosig::signature`](super::isosig::signature) gives it. Of a triangulation without
 /// symmetries most words end after a few digits; where all words are alike it takes as long.
-#[doc(alias = "CX-97")]
+#[doc(alias = "CX-93")]
 pub fn signature(triangulation: &Triangulation) -> String {
     of_components(triangulation, |component| {
         let before = before_actions(component.len());

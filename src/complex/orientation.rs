@@ -14,8 +14,8 @@ pub struct Components {
 
 impl ClosedComplex {
     /// A sign for each polyhedron such that each pairing joins outside to outside, + for the first polyhedron of each component
-    /// (CX-75): signs agree iff dir = −1, the faces of each polyhedron being seen from one side. `None` iff there is none.
-    #[doc(alias = "CX-75")]
+    /// (CX-71): signs agree iff dir = −1, the faces of each polyhedron being seen from one side. `None` iff there is none.
+    #[doc(alias = "CX-71")]
     pub fn polyhedron_signs(&self) -> Option<Vec<bool>> {
         let scheme = self.scheme();
         let mut neighbours = vec![Vec::new(); scheme.polyhedra.len()];
@@ -30,9 +30,9 @@ impl ClosedComplex {
 }
 
 impl Triangulation {
-    /// Its components, and which can be oriented (CX-75): tetrahedra glued by an odd permutation of the corners have one sign,
+    /// Its components, and which can be oriented (CX-71): tetrahedra glued by an odd permutation of the corners have one sign,
     /// by an even one different signs.
-    #[doc(alias = "CX-75")]
+    #[doc(alias = "CX-71")]
     pub fn components(&self) -> Components {
         let neighbours = |t: usize| self.gluings()[t].iter().map(|g| (g.tetrahedron as usize, !g.corners.is_even()));
         signed(self.len(), neighbours).0

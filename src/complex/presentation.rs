@@ -106,8 +106,8 @@ impl Presentation {
         &self.relators
     }
 
-    /// The group made abelian (CX-80), by the matrix of exponents.
-    #[doc(alias = "CX-80")]
+    /// The group made abelian (CX-76), by the matrix of exponents.
+    #[doc(alias = "CX-76")]
     pub fn abelianisation(&self) -> AbelianGroup {
         let exponents = |word: &Word| {
             let mut sum: BTreeMap<usize, Integer> = BTreeMap::new();

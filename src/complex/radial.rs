@@ -74,7 +74,7 @@ pub struct Radial {
 /// # Errors
 /// Iff a gluing does not keep {0, 1} | {2, 3}, the list is of another length, a number is 0 or another one than that of a neighbour with the
 /// same axis, or there would be more than 2²⁷ tetrahedra.
-#[doc(alias = "CX-54")]
+#[doc(alias = "CX-50")]
 pub fn slice(base: &Triangulation, axis: Axis, slices: &[u32]) -> Result<Triangulation, SliceError> {
     let [low, high] = axis.corners();
     let starts = starts(base, axis, slices)?;
@@ -153,13 +153,13 @@ fn transposition(i: usize, j: usize) -> Perm4 {
 /// least three tetrahedra stand around each edge e, and then around each dual edge f′. No tetrahedron is glued to itself then.
 ///
 /// A tetrahedron alone around e, aFnext = a, is cut into 3: of 2 each has the other's triangles on both sides, and so its four vertices
-/// (CX-55). Where all rings have three already, nothing changes.
+/// (CX-51). Where all rings have three already, nothing changes.
 ///
 /// # Errors
 /// Iff a gluing does not keep {0, 1} | {2, 3} or there would be more than 2²⁷ tetrahedra.
-#[doc(alias = "CX-53")]
-#[doc(alias = "CX-55")]
-#[doc(alias = "CX-56")]
+#[doc(alias = "CX-35")]
+#[doc(alias = "CX-51")]
+#[doc(alias = "CX-52")]
 pub fn radial(base: &Triangulation) -> Result<Radial, SliceError> {
     let skeleton = base.skeleton();
     let classes = |edge: usize| -> Vec<usize> { skeleton.edges.iter().map(|edges| edges[edge] as usize).collect() };

@@ -96,7 +96,7 @@ impl Refinement {
 ///
 /// # Errors
 /// Iff k is 0 or there would be more than [`MAX_TETRAHEDRA`] tetrahedra.
-#[doc(alias = "CX-60")]
+#[doc(alias = "CX-56")]
 pub fn refine(base: &Triangulation, order: u32) -> Result<Refinement, RefineError> {
     check_size(base, order)?;
     let small = small_tetrahedra(order);
@@ -148,8 +148,8 @@ pub fn refine(base: &Triangulation, order: u32) -> Result<Refinement, RefineErro
 /// inverted ones r + (1, 1, 1, 1) − e_i with |r| = k − 3. Each family goes by the ranks of p, q, r.
 ///
 /// The diagonal is the one that the symmetries keeping {0, 1} | {2, 3} keep: for k = 2 it joins the middles of e and f′.
-#[doc(alias = "CX-57")]
-#[doc(alias = "CX-58")]
+#[doc(alias = "CX-53")]
+#[doc(alias = "CX-54")]
 pub fn small_tetrahedra(order: u32) -> Vec<[LatticePoint; 4]> {
     let with = |p: LatticePoint, units: &[usize]| {
         let mut sum = p;
@@ -200,8 +200,8 @@ pub fn moved(point: LatticePoint, corners: Perm4) -> LatticePoint {
 }
 
 /// (n, n², …, n⁷): the place of vertex n on the moment curve. Eight vertices are never in one hyperplane of ℝ⁷, so that the straight
-/// simplices of a simplicial complex of dimension 3 meet in their common vertices only (CX-66).
-#[doc(alias = "CX-66")]
+/// simplices of a simplicial complex of dimension 3 meet in their common vertices only (CX-62).
+#[doc(alias = "CX-62")]
 pub fn moment_point(vertex: u32) -> [Integer; 7] {
     std::array::from_fn(|i| Integer::from(Integer::u_pow_u(vertex, i as u32 + 1)))
 }

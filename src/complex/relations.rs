@@ -9,11 +9,11 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 /// A sum of generators, by their numbers; no coefficient is 0.
 pub type Combination = BTreeMap<u32, Integer>;
 
-/// ℤ^n modulo the relations told so far (CX-84). Elements are known by numbers: 0 is zero, 2k and 2k + 1 are each other's negatives.
+/// ℤ^n modulo the relations told so far (CX-80). Elements are known by numbers: 0 is zero, 2k and 2k + 1 are each other's negatives.
 ///
 /// The relations stand in echelon form: by the last generator of each, whose coefficient, the pivot, is positive.
 #[derive(Clone, Debug)]
-#[doc(alias = "CX-84")]
+#[doc(alias = "CX-80")]
 pub struct Relations {
     generators: u32,
     rows: BTreeMap<u32, Combination>,

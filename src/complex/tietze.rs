@@ -3,12 +3,12 @@
 use super::presentation::{Letter, Presentation, Word, cyclically_reduced, inverse};
 
 impl Presentation {
-    /// The same group in fewer letters (CX-82): relators are reduced cyclically; empty ones and those that are another one, turned
+    /// The same group in fewer letters (CX-78): relators are reduced cyclically; empty ones and those that are another one, turned
     /// or inverted, are dropped; a generator that stands once in a relator is replaced throughout by what the relator says that it
     /// is, cheapest first, as long as all relators together stay within the letters there were at first.
     ///
     /// The result is the same for the same presentation. It need not be the shortest: no algorithm finds that.
-    #[doc(alias = "CX-82")]
+    #[doc(alias = "CX-78")]
     pub fn simplified(&self) -> Presentation {
         let mut group = Presentation { generators: self.generators, relators: distinct(&self.relators) };
         let limit = group.letters();

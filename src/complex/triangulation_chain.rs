@@ -64,13 +64,13 @@ impl Triangulation {
         Ok(DirectedSkeleton { cells: self.skeleton(), forward: (0..self.len()).map(forward).collect() })
     }
 
-    /// The chain complex C₃ → C₂ → C₁ → C₀ of its cells (CX-69, CX-70): ∂(v₀ … v_k) = Σ (−1)^i (v₀ … v̂_i … v_k) in the order of the
+    /// The chain complex C₃ → C₂ → C₁ → C₀ of its cells (CX-65, CX-66): ∂(v₀ … v_k) = Σ (−1)^i (v₀ … v̂_i … v_k) in the order of the
     /// corners, each cell with the direction of its first place. Three edges of a triangle may be one edge.
     ///
     /// # Errors
     /// Iff an edge is glued to itself, tail to head: the first one.
-    #[doc(alias = "CX-69")]
-    #[doc(alias = "CX-70")]
+    #[doc(alias = "CX-65")]
+    #[doc(alias = "CX-66")]
     pub fn chain_complex(&self) -> Result<ChainComplex, ReversedEdge> {
         let skeleton = self.directed_skeleton()?;
         let [vertices, edges, triangles, tetrahedra] = skeleton.cells.counts;

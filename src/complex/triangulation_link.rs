@@ -17,9 +17,9 @@ pub struct EdgePlace {
 }
 
 impl Triangulation {
-    /// The surface around each vertex of the skeleton, its link (CX-76): a triangle across each corner there, glued as the
+    /// The surface around each vertex of the skeleton, its link (CX-72): a triangle across each corner there, glued as the
     /// tetrahedra are. Closed and connected, for tetrahedra at a vertex are joined across triangles there.
-    #[doc(alias = "CX-76")]
+    #[doc(alias = "CX-72")]
     pub fn vertex_links(&self) -> Vec<ClosedSurface> {
         let skeleton = self.skeleton();
         let mut polygons = vec![Vec::new(); skeleton.counts[0]];
@@ -53,13 +53,13 @@ impl Triangulation {
         vec![side(a, b, c), side(b, c, a), side(c, a, b)]
     }
 
-    /// The places of an edge around it, from this one on (CX-77): out of each tetrahedron through the triangle that the walk did
+    /// The places of an edge around it, from this one on (CX-73): out of each tetrahedron through the triangle that the walk did
     /// not come in by, until it is where it began. Each place of the edge stands there once; iff the edge is glued
     /// to itself, tail to head, twice, once each way.
     ///
     /// # Panics
     /// Iff there is no such place.
-    #[doc(alias = "CX-77")]
+    #[doc(alias = "CX-73")]
     pub fn edge_ring(&self, place: EdgePlace) -> Vec<EdgePlace> {
         let [i, j] = [place.tail, place.head].map(usize::from);
         let out = (0..4).find(|k| ![i, j].contains(k)).expect("two corners are left");

@@ -102,7 +102,7 @@ pub struct TetrahedronRecord {
 
 impl SnapPeaRecord {
     /// Gluings alone, as rows (neighbours, gluings); of all else nothing is said.
-    #[doc(alias = "CX-100")]
+    #[doc(alias = "CX-96")]
     pub fn of_rows(name: &str, rows: impl IntoIterator<Item = ([u32; 4], [[u8; 4]; 4])>) -> SnapPeaRecord {
         let tetrahedron = |(neighbours, gluings)| TetrahedronRecord {
             neighbours,

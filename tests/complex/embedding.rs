@@ -50,7 +50,7 @@ fn beside(a: GluingScheme, b: GluingScheme) -> GluingScheme {
     both
 }
 
-mod cx_93 {
+mod cx_89 {
     use super::*;
 
     /// "Quatro dimensões são suficientes para os complexos ditos orientáveis, mas outros podem exigir cinco."
@@ -112,7 +112,7 @@ mod cx_93 {
     }
 }
 
-mod cx_95 {
+mod cx_91 {
     use super::*;
 
     /// The invariant factors of ⊕ ℤ/nᵢ: gcd and lcm in turn.

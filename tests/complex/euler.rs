@@ -108,7 +108,7 @@ fn complexes() -> Vec<ClosedComplex> {
     named().into_iter().map(|(_, complex)| complex).chain(small_complexes(5)).collect()
 }
 
-mod cx_73 {
+mod cx_69 {
     use super::*;
 
     #[test]
@@ -152,7 +152,7 @@ mod cx_73 {
     }
 }
 
-mod cx_74 {
+mod cx_70 {
     use super::*;
 
     #[test]
@@ -218,7 +218,7 @@ mod cx_74 {
     }
 }
 
-mod cx_75 {
+mod cx_71 {
     use super::*;
 
     #[test]
@@ -264,7 +264,7 @@ mod cx_75 {
     }
 }
 
-mod cx_76 {
+mod cx_72 {
     use super::*;
 
     /// The links at the vertices of a complex, seen from a triangulation of it whose corner of this number is the vertex there.
@@ -321,7 +321,7 @@ mod cx_76 {
     }
 }
 
-mod cx_77 {
+mod cx_73 {
     use super::*;
 
     fn rings_are_circles(triangulation: &Triangulation) {

@@ -94,7 +94,7 @@ fn a_group() -> impl Strategy<Value = Presentation> {
     })
 }
 
-mod cx_78 {
+mod cx_74 {
     use super::*;
 
     #[test]
@@ -157,7 +157,7 @@ mod cx_78 {
 /// The turn of a tenth: two fifths after the antipodal map, which is a half turn there.
 const POINCARE: i64 = 2;
 
-mod cx_79 {
+mod cx_75 {
     use super::*;
 
     #[test]
@@ -207,7 +207,7 @@ mod cx_79 {
     }
 }
 
-mod cx_80 {
+mod cx_76 {
     use super::*;
 
     #[test]
@@ -238,7 +238,7 @@ mod cx_80 {
     }
 }
 
-mod cx_81 {
+mod cx_77 {
     use super::*;
 
     #[test]
@@ -281,7 +281,7 @@ mod cx_81 {
     }
 }
 
-mod cx_82 {
+mod cx_78 {
     use super::*;
 
     #[test]

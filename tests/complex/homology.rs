@@ -37,7 +37,7 @@ fn is_right(complex: &ClosedComplex, homology: &Homology) {
     }
 }
 
-mod cx_69 {
+mod cx_65 {
     use super::*;
 
     #[test]
@@ -105,7 +105,7 @@ mod cx_69 {
     }
 }
 
-mod cx_70 {
+mod cx_66 {
     use super::*;
 
     fn agree(complex: &ClosedComplex, name: &str) -> Homology {
@@ -137,7 +137,7 @@ mod cx_70 {
     }
 }
 
-mod cx_71 {
+mod cx_67 {
     use super::*;
 
     #[test]
@@ -160,7 +160,7 @@ mod cx_71 {
     }
 }
 
-mod cx_72 {
+mod cx_68 {
     use super::*;
 
     #[test]

@@ -23,7 +23,7 @@ fn lens(p: u32, q: u32) -> Triangulation {
     ClosedComplex::new(lens_space(p, q)).expect("a lens space").tetrahedra()
 }
 
-mod cx_83 {
+mod cx_79 {
     use super::*;
 
     #[test]
@@ -101,7 +101,7 @@ mod cx_83 {
     }
 }
 
-mod cx_84 {
+mod cx_80 {
     use super::*;
 
     /// Small coefficients, and some beyond 64 bits.

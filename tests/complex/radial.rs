@@ -25,7 +25,7 @@ fn is_glued_to_itself_around(base: &Triangulation, edge: [usize; 2]) -> bool {
     base.gluings().iter().enumerate().any(|(i, row)| around.iter().any(|j| row[*j].tetrahedron as usize == i))
 }
 
-mod cx_53 {
+mod tetrahedra_glued_to_themselves {
     use super::*;
 
     #[test]
@@ -51,7 +51,7 @@ mod cx_53 {
     }
 }
 
-mod cx_54 {
+mod cx_50 {
     use super::*;
 
     fn homology(triangulation: &Triangulation) -> Homology {
@@ -125,7 +125,7 @@ mod cx_54 {
     }
 }
 
-mod cx_55 {
+mod cx_51 {
     use super::*;
 
     #[test]
@@ -166,7 +166,7 @@ mod cx_55 {
     }
 }
 
-mod cx_56 {
+mod cx_52 {
     use super::*;
 
     #[test]

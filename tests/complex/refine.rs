@@ -29,7 +29,7 @@ fn renamed(tetrahedra: &[[LatticePoint; 4]], order: Perm4) -> Vec<[LatticePoint;
     tetrahedra.iter().map(|corners| corners.map(|p| [0, 1, 2, 3].map(|i| p[order.image(i)]))).collect()
 }
 
-mod cx_57 {
+mod cx_53 {
     use super::*;
 
     /// Kuhn's subdivision: with x₁ ≥ x₂ ≥ x₃ the sums of the coordinates from the second, third, fourth corner of the order 0, 2, 1, 3 on,
@@ -92,7 +92,7 @@ mod cx_57 {
     }
 }
 
-mod cx_58 {
+mod cx_54 {
     use super::*;
 
     #[test]
@@ -115,7 +115,7 @@ mod cx_58 {
     }
 }
 
-mod cx_59 {
+mod cx_55 {
     use super::*;
 
     #[test]
@@ -130,7 +130,7 @@ mod cx_59 {
     }
 }
 
-mod cx_60 {
+mod cx_56 {
     use super::*;
     use proptest::prelude::*;
 
@@ -237,7 +237,7 @@ mod cx_60 {
     }
 }
 
-mod cx_61 {
+mod cx_57 {
     use super::*;
 
     #[test]
@@ -270,7 +270,7 @@ mod cx_61 {
     }
 }
 
-mod cx_62 {
+mod cx_58 {
     use super::*;
 
     #[test]
@@ -289,7 +289,7 @@ mod cx_62 {
     }
 }
 
-mod cx_63 {
+mod cx_59 {
     use super::*;
 
     #[test]
@@ -362,7 +362,7 @@ mod cx_63 {
     }
 }
 
-mod cx_64 {
+mod cx_60 {
     use super::*;
 
     #[test]

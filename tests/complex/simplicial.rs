@@ -30,7 +30,7 @@ fn sets(base: &Triangulation, k: u32) -> VertexSets {
     check::fast::check(refine(base, k).expect("small").triangulation()).vertex_sets
 }
 
-mod cx_65 {
+mod cx_61 {
     use super::*;
 
     #[test]
@@ -88,7 +88,7 @@ mod cx_65 {
     }
 }
 
-mod cx_66 {
+mod cx_62 {
     use super::*;
     use isoracle::complex::refine::moment_point;
     use isoracle::linear::{Matrix, determinant};
@@ -133,7 +133,7 @@ mod cx_66 {
     }
 }
 
-mod cx_67 {
+mod cx_63 {
     use super::*;
 
     #[test]
@@ -146,7 +146,7 @@ mod cx_67 {
     }
 }
 
-mod cx_68 {
+mod cx_64 {
     use super::*;
 
     #[test]

@@ -21,7 +21,7 @@ fn complexes() -> Vec<ClosedComplex> {
     examples().into_iter().map(|(_, complex)| complex).chain(small).chain(cubes).collect()
 }
 
-mod cx_44 {
+mod links_of_a_triangulation {
     use super::*;
 
     /// Against flags: the triangulation as a scheme of tetrahedra.
@@ -99,7 +99,7 @@ mod cx_44 {
     }
 }
 
-mod cx_45 {
+mod cx_44 {
     use super::*;
     use isoracle::complex::barycentric::VertexType;
 
@@ -124,7 +124,7 @@ mod cx_45 {
     }
 }
 
-mod cx_46 {
+mod cx_45 {
     use super::*;
 
     #[test]
@@ -146,7 +146,7 @@ mod cx_46 {
     }
 }
 
-mod cx_47 {
+mod cx_46 {
     use super::*;
 
     #[test]
@@ -185,7 +185,7 @@ mod cx_47 {
     }
 }
 
-mod cx_48 {
+mod cx_47 {
     use super::*;
 
     #[test]
@@ -228,7 +228,7 @@ mod cx_48 {
     }
 }
 
-mod cx_49 {
+mod cx_48 {
     use super::*;
     use isoracle::complex::barycentric::{CORNER_TYPES, VertexType};
 
@@ -264,7 +264,7 @@ mod cx_49 {
     }
 }
 
-mod cx_50 {
+mod pairs_of_a_closed_complex {
     use super::*;
 
     #[test]
@@ -290,7 +290,7 @@ mod cx_50 {
     }
 }
 
-mod cx_51 {
+mod cx_49 {
     use super::*;
 
     #[test]
@@ -314,7 +314,7 @@ mod cx_51 {
     }
 }
 
-mod cx_52 {
+mod cells_and_boundaries_by_subdivision {
     use super::*;
 
     #[test]

@@ -28,7 +28,7 @@ fn lens() -> String {
     text(&SnapPeaRecord::of_rows("L(3,1)", complex.tetrahedra().rows()))
 }
 
-mod cx_100 {
+mod cx_96 {
     use super::*;
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::*;
 
-mod cx_102 {
+mod cx_98 {
     use super::*;
 
     #[test]

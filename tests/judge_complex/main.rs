@@ -209,7 +209,7 @@ fn without_names(mut out: Value) -> Value {
     out
 }
 
-mod cx_101 {
+mod cx_97 {
     use super::*;
     use proptest::prelude::*;
 

@@ -5,7 +5,7 @@ use crate::complex::triangulation::{EDGES, TriangleGluing, Triangulation};
 use crate::mesh::classify::SPHERE;
 
 /// As [`check`](super::check).
-#[doc(alias = "CX-67")]
+#[doc(alias = "CX-63")]
 pub fn check(triangulation: &Triangulation) -> Facts {
     let gluings = triangulation.gluings();
     let parities: Vec<u8> = gluings.iter().map(parities).collect();

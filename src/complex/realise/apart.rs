@@ -12,7 +12,7 @@ const LARGEST: f64 = 1e100;
 /// For a direction h, the least ⟨h, p⟩ over `first` must be greater than the greatest over `second` by more than what rounding can
 /// do: (n + 2)·2⁻⁵¹·Σ|hᵢ|·max|coordinate i|, and 2⁻⁹⁰⁰ for underflow. Any h that passes proves it; Gilbert's algorithm finds one:
 /// h is the point of the segment from h to the difference p − q with the least ⟨h, p − q⟩ that is next to 0.
-#[doc(alias = "CX-92")]
+#[doc(alias = "CX-88")]
 pub fn are_apart(first: &[&[f64]], second: &[&[f64]]) -> bool {
     let n = first[0].len();
     let largest: Vec<f64> =

@@ -16,7 +16,7 @@ type Around = [(usize, bool); 3];
 ///
 /// An edge outside the tree is a combination of generators: where two edges of a triangle are known, the third is; where no triangle has
 /// two known edges and a third one, some edge becomes a generator. Triangles that close say which combinations are 0.
-#[doc(alias = "CX-96")]
+#[doc(alias = "CX-92")]
 pub fn cocycles(mesh: &TetrahedralMesh) -> Vec<Cocycle> {
     let numbers: BTreeMap<[u32; 2], usize> = mesh.edges().iter().copied().zip(0..).collect();
     let side = |v: u32, w: u32| match numbers.get(&[v, w]) {

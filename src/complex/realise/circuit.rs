@@ -29,7 +29,7 @@ pub struct Circuit {
 /// There are such faces iff Σλ_p p = 0, Σλ_p = 0 has a solution λ ≠ 0 that is ≥ 0 at points of the first simplex only and ≤ 0 at
 /// points of the second only. Each solution is a sum of solutions of least support with signs that agree with it, and
 /// these are seen from the orientations of r + 1 points: r + 2 of them have λ_i = (−1)^i χ(all but i), r the dimension they span.
-#[doc(alias = "CX-89")]
+#[doc(alias = "CX-85")]
 pub fn circuit(points: &[&[f64]], sides: &[Side]) -> Option<Circuit> {
     let coordinates = spanning(points);
     let r = coordinates.len();

@@ -10,8 +10,8 @@ use crate::number::Rational;
 /// which pull nowhere; u_v = 0 where deg v = 0. The second sum is the bending energy: u_v, the umbrella vector, is 0 iff the
 /// vertex is the mean of its neighbours. β ≥ 0 is its weight.
 #[derive(Clone, Debug, PartialEq)]
-#[doc(alias = "CX-85")]
-#[doc(alias = "CX-91")]
+#[doc(alias = "CX-81")]
+#[doc(alias = "CX-87")]
 pub struct Energy {
     pub(super) vertices: usize,
     pub(super) edges: Vec<[u32; 2]>,
@@ -52,7 +52,7 @@ impl Energy {
 
     /// ∂E/∂x, exactly: for the vertex v
     /// 4/|E| Σ_{vw} (|x_v − x_w|² − 1)(x_v − x_w) + 2β/|V| (Σ_{vw} u_w/deg w − [deg v > 0] u_v).
-    #[doc(alias = "CX-86")]
+    #[doc(alias = "CX-82")]
     pub fn exact_gradient(&self, x: &[Rational], n: usize) -> Vec<Rational> {
         let u = self.umbrellas(x, n);
         let mut gradient = vec![Rational::new(); x.len()];

@@ -55,7 +55,7 @@ impl Witness {
 ///
 /// # Panics
 /// If there are not as many points as vertices.
-#[doc(alias = "CX-90")]
+#[doc(alias = "CX-86")]
 pub fn intersections(mesh: &TetrahedralMesh, points: &Points) -> Intersections {
     assert_eq!(mesh.vertices(), points.len(), "a point for each vertex");
     let mut found =

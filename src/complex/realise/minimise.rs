@@ -65,7 +65,7 @@ impl Energy {
 
     /// The factor s ≥ 0 at which E(s·x) is least: s² = (Σq/|E| − β/(2|V|)·Σ|u|²)/(Σq²/|E|) over the squared lengths q of the
     /// edges, or 0 where that is negative; 1 where all edges have length 0.
-    #[doc(alias = "CX-87")]
+    #[doc(alias = "CX-83")]
     pub fn best_scale(&self, x: &[f64], n: usize) -> f64 {
         let count = self.edges.len().max(1) as f64;
         let squares = || self.edges.iter().map(|edge| squared_length(x, n, *edge));

@@ -104,7 +104,7 @@ pub enum RealiseError {
 ///
 /// # Errors
 /// Iff a dimension or weight is out of its range, there is no tetrahedron, or the numbers overflow.
-#[doc(alias = "CX-94")]
+#[doc(alias = "CX-90")]
 pub fn realise(mesh: &TetrahedralMesh, options: &Options) -> Result<Realised, RealiseError> {
     let n = options.dimension;
     if !(3..=6).contains(&n) {

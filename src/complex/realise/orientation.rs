@@ -12,7 +12,7 @@ const LARGEST: f64 = 1e30;
 ///
 /// First in binary64: with the determinant D expanded column by column over sets of rows, and P the same expansion of the
 /// absolute values, the sign of fl(D) is right if |fl(D)| > 2⁻⁴⁷·fl(P) + 2⁻³⁰⁰. Otherwise in rationals.
-#[doc(alias = "CX-88")]
+#[doc(alias = "CX-84")]
 pub fn orientation(points: &[&[f64]], coordinates: &[usize]) -> Sign {
     filtered(points, coordinates).unwrap_or_else(|| exact(points, coordinates))
 }

@@ -6,9 +6,9 @@
 /// V_k = k(V + P) − (k − 1)χ + t(k³ − k)/6, E_k = V_k − χ + tk³, F_k = 2tk³, T_k = tk³.
 ///
 /// Domain: no edge glued to itself, tail to head.
-#[doc(alias = "CX-59")]
-#[doc(alias = "CX-61")]
-#[doc(alias = "CX-62")]
+#[doc(alias = "CX-55")]
+#[doc(alias = "CX-57")]
+#[doc(alias = "CX-58")]
 pub fn counts(vertices_and_polyhedra: u64, pairs: u64, chi: i64, order: u64) -> [i128; 4] {
     let [x, t, chi, k] = [vertices_and_polyhedra.into(), pairs.into(), i128::from(chi), i128::from(order)];
     let vertices = k * x - (k - 1) * chi + t * ((k * k * k - k) / 6);
@@ -16,8 +16,8 @@ pub fn counts(vertices_and_polyhedra: u64, pairs: u64, chi: i64, order: u64) -> 
     [vertices, vertices - chi + tetrahedra, 2 * tetrahedra, tetrahedra]
 }
 
-/// What 000, section 5.3, prints: t(k³ + k² + 1) edges, 2tk³ triangles, tk³ tetrahedra, in this order. The first is wrong in general (CX-62).
-#[doc(alias = "CX-62")]
+/// What 000, section 5.3, prints: t(k³ + k² + 1) edges, 2tk³ triangles, tk³ tetrahedra, in this order. The first is wrong in general (CX-58).
+#[doc(alias = "CX-58")]
 pub fn printed_counts(pairs: u64, order: u64) -> [u128; 3] {
     let [t, k] = [pairs, order].map(u128::from);
     [t * (k.pow(3) + k.pow(2) + 1), 2 * t * k.pow(3), t * k.pow(3)]
@@ -25,7 +25,7 @@ pub fn printed_counts(pairs: u64, order: u64) -> [u128; 3] {
 
 /// Whether the printed number of edges is right for a manifold with V + P vertices and polyhedra and t face-edge pairs: V + P is 2t for
 /// k ≤ 3, 7t/4 for k = 4, 6t/5 for k = 5, t/3 for k = 6; never for k ≥ 7.
-#[doc(alias = "CX-63")]
+#[doc(alias = "CX-59")]
 pub fn printed_edges_hold(vertices_and_polyhedra: u64, pairs: u64, order: u64) -> bool {
     let [x, t] = [vertices_and_polyhedra, pairs].map(u128::from);
     match order {
@@ -39,8 +39,8 @@ pub fn printed_edges_hold(vertices_and_polyhedra: u64, pairs: u64, order: u64) -
 }
 
 /// The greatest number V + P of vertices and polyhedra that a connected closed 3-manifold of t face-edge pairs has: t + 1, but 4 for
-/// t = 2 (CX-64).
-#[doc(alias = "CX-64")]
+/// t = 2 (CX-60).
+#[doc(alias = "CX-60")]
 pub fn most_vertices_and_polyhedra(pairs: u64) -> u64 {
     match pairs {
         2 => 4,

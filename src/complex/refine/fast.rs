@@ -14,7 +14,7 @@ const _: () = assert!(16 * MAX_TETRAHEDRA <= u32::MAX as usize, "ends of edges o
 ///
 /// # Errors
 /// Iff k is 0 or there would be more than [`MAX_TETRAHEDRA`] tetrahedra.
-#[doc(alias = "CX-67")]
+#[doc(alias = "CX-63")]
 pub fn refine(base: &Triangulation, order: u32) -> Result<Refinement, RefineError> {
     check_size(base, order)?;
     let triangulation = Triangulation::new(gluings(base, order)).expect("what is glued to a triangle is glued back");

@@ -5,7 +5,7 @@ use crate::complex::triangulation::{EDGES, Triangulation, edge_between};
 use crate::partition::Partition;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What can keep a refinement from being a simplicial complex (CX-65), as to the tetrahedra that are refined. An angle is a triangle at
+/// What can keep a refinement from being a simplicial complex (CX-61), as to the tetrahedra that are refined. An angle is a triangle at
 /// one of its corners, between two ends of edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Obstruction {
@@ -43,7 +43,7 @@ impl Obstruction {
 /// all k ≥ 4 iff it is for one of them, that is iff the surfaces around the vertices are simplicial complexes.
 ///
 /// Domain: gluings that keep {0, 1} | {2, 3}, as those of topological tetrahedra, and no edge glued to itself, tail to head.
-#[doc(alias = "CX-65")]
+#[doc(alias = "CX-61")]
 pub fn obstructions(base: &Triangulation) -> BTreeSet<Obstruction> {
     let skeleton = base.skeleton();
     let mut found = BTreeSet::new();

@@ -95,7 +95,7 @@ const REFINED: [Field; 10] = [
 ///
 /// Lists are compared sorted; torsion as a group, so that 2, 6 and 2, 2, 3 are one. Any reason that holds will do. Where a scheme is
 /// no manifold because of the surfaces around its vertices, its numbers need not be there, and are judged if they are.
-#[doc(alias = "CX-102")]
+#[doc(alias = "CX-98")]
 pub fn compare(operation: &str, truth: &Value, found: &Value) -> (Vec<Fault>, Vec<String>) {
     let mut comparison = Comparison { faults: Vec::new(), left_out: Vec::new(), said: 0 };
     match operation {
@@ -223,16 +223,16 @@ fn formula(field: &str) -> &'static str {
     match field.split('.').next().expect("split has a first part") {
         "valid" => "CX-5",
         "reason" => "CX-6",
-        "chi" | "cells" => "CX-74",
+        "chi" | "cells" => "CX-70",
         "facet_edge_pairs" | "edge_ring_sizes" | "face_degrees" => "CX-16",
-        "components" | "homology" => "CX-70",
-        "orientable" => "CX-75",
-        "tetrahedra" => "CX-48",
-        "barycentric" => "CX-46",
-        "V" | "E" | "F" | "T" => "CX-61",
-        "simplicial" => "CX-65",
-        "degenerate_tetrahedra" | "duplicate_tetrahedra" => "CX-68",
-        "as_printed" => "CX-62",
-        _ => "CX-102",
+        "components" | "homology" => "CX-66",
+        "orientable" => "CX-71",
+        "tetrahedra" => "CX-47",
+        "barycentric" => "CX-45",
+        "V" | "E" | "F" | "T" => "CX-57",
+        "simplicial" => "CX-61",
+        "degenerate_tetrahedra" | "duplicate_tetrahedra" => "CX-64",
+        "as_printed" => "CX-58",
+        _ => "CX-98",
     }
 }

@@ -14,7 +14,7 @@ struct Corners {
 /// The same gluing with other names: polyhedra, faces, edges, vertices and pairings in another order, edges the other way round,
 /// cycles begun elsewhere, polyhedra seen from the other side, pairings turned round, shifts by multiples of n more.
 /// No answer about a scheme depends on any of it. The scheme has no defect by itself.
-#[doc(alias = "CX-101")]
+#[doc(alias = "CX-97")]
 pub fn disguised(random: &mut ChaCha8Rng, scheme: &GluingScheme) -> GluingScheme {
     let polyhedron_to = shuffled(random, scheme.polyhedra.len());
     let mut polyhedra = vec![Polyhedron::default(); scheme.polyhedra.len()];

@@ -12,7 +12,7 @@ use isoracle::mesh::homology::{Chain, elementary_divisors};
 use isoracle::number::Integer;
 use std::collections::BTreeMap;
 
-mod cx_96 {
+mod cx_92 {
     use super::*;
 
     fn sum_around(mesh: &TetrahedralMesh, cocycle: &Cocycle, walk: &[u32]) -> Integer {

@@ -80,7 +80,7 @@ fn by_vertices(mesh: &TetrahedralMesh, bending: &Rational, x: &[Rational], n: us
     twice_uniformity / (2 * mesh.edges().len() as u32) + bent * bending / mesh.vertices() as u32
 }
 
-mod cx_85 {
+mod cx_81 {
     use super::*;
 
     proptest! {
@@ -130,7 +130,7 @@ mod cx_85 {
     }
 }
 
-mod cx_86 {
+mod cx_82 {
     use super::*;
 
     proptest! {
@@ -158,7 +158,7 @@ mod cx_86 {
     }
 }
 
-mod cx_87 {
+mod cx_83 {
     use super::*;
 
     proptest! {
@@ -193,7 +193,7 @@ mod cx_87 {
     }
 }
 
-mod cx_91 {
+mod cx_87 {
     use super::*;
 
     /// E − E_min = 1/10 Σ (q − 1 + 5β/16)² over the squared lengths q of the ten edges.
@@ -221,7 +221,7 @@ mod cx_91 {
     }
 }
 
-mod cx_94 {
+mod cx_90 {
     use super::*;
 
     #[test]

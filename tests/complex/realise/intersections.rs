@@ -29,7 +29,7 @@ fn slices(points: &[Vec<f64>]) -> Vec<&[f64]> {
     points.iter().map(Vec::as_slice).collect()
 }
 
-mod cx_88 {
+mod cx_84 {
     use super::*;
 
     fn by_division_free_expansion<const N: usize>(points: &[&[f64]]) -> Sign {
@@ -72,7 +72,7 @@ mod cx_88 {
     }
 }
 
-mod cx_89 {
+mod cx_85 {
     use super::*;
 
     fn sides() -> impl Strategy<Value = Vec<Side>> {
@@ -111,7 +111,7 @@ mod cx_89 {
     }
 }
 
-mod cx_90 {
+mod cx_86 {
     use super::*;
 
     /// Every pair of tetrahedra, and each by itself, by linear programs.
@@ -242,7 +242,7 @@ mod cx_90 {
     }
 }
 
-mod cx_92 {
+mod cx_88 {
     use super::*;
 
     proptest! {
