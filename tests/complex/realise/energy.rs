@@ -24,7 +24,8 @@ fn meshes() -> Vec<TetrahedralMesh> {
     let lens = ClosedComplex::new(lens_space(3, 1)).expect("a closed complex");
     let coarse = TetrahedralMesh::of(&torus.tetrahedra());
     assert!(coarse.edges().iter().any(|[v, w]| v == w));
-    vec![simplex_boundary(), cross_polytope(), coarse, TetrahedralMesh::of(&lens.barycentric())]
+    let uneven = twice(lens_space(1, 0));
+    vec![simplex_boundary(), cross_polytope(), coarse, TetrahedralMesh::of(&lens.barycentric()), uneven]
 }
 
 /// Rationals that are small binary64 too.
@@ -46,7 +47,7 @@ type Case = (usize, usize, f64, Vec<f64>, Vec<f64>);
 
 fn case() -> impl Strategy<Value = Case> {
     let weight = prop_oneof![Just(0.0), Just(0.25), 0.0..2.0_f64];
-    (0..4_usize, 3..=5_usize, weight, placement(200), placement(200))
+    (0..5_usize, 3..=5_usize, weight, placement(200), placement(200))
 }
 
 fn used((kind, n, bending, x, h): Case) -> (TetrahedralMesh, usize, f64, Vec<f64>, Vec<f64>) {

@@ -262,6 +262,28 @@ mod cx_88 {
         }
     }
 
+    proptest! {
+        /// The second one has a corner of the first, or the middle of its edge, and else lies beyond.
+        #[test]
+        fn what_touches_in_a_point_is_not_parted(points in cloud(8, 4), middle in any::<bool>(), shift in 0..=6_i32) {
+            let corner: Vec<f64> = match middle {
+                true => points[0].iter().zip(&points[1]).map(|(a, b)| f64::midpoint(*a, *b)).collect(),
+                false => points[0].clone(),
+            };
+            let mut second: Vec<Vec<f64>> =
+                points[4..].iter().map(|p| [&[p[0] + f64::from(shift)], &p[1..]].concat()).collect();
+            second[0] = corner;
+            let (first, second) = (slices(&points[..4]), slices(&second));
+            let sides = [[Side::First; 4], [Side::Second; 4]].concat();
+            if !middle {
+                prop_assert!(!are_apart(&first, &second) && !are_apart(&second, &first));
+            } else if are_apart(&first, &second) {
+                // A rounded middle need not lie on the edge.
+                prop_assert!(!meet(&[first, second].concat(), &sides));
+            }
+        }
+    }
+
     #[test]
     fn what_touches_is_never_parted() {
         // A corner on the other's face, whose plane no binary64 direction is normal to exactly.
