@@ -167,9 +167,8 @@ fn checks_of_meshes_conform() {
 
 #[test]
 fn gluing_schemes_conform() {
-    let asked = |op: &str| op == "complex.glue";
-    conform("complex.jsonl", asked, &[("complex.glue", 12)]);
-    conform("complex_derived.jsonl", asked, &[("complex.glue", 608)]);
+    all_conform("complex.jsonl", &[("complex.glue", 12), ("complex.refine", 59)]);
+    all_conform("complex_derived.jsonl", &[("complex.glue", 608), ("complex.refine", 546)]);
 }
 
 #[test]

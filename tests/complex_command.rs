@@ -186,7 +186,7 @@ fn what_cannot_be_used_is_said_before_any_work() {
         (&["T3", "--out", "x.ply"], "shows the tetrahedra placed in space"),
         (&["T3", "--realise", "--out", "x.tri"], "has no places"),
         (&["T3", "--realise"], "--out <FILE>"),
-        (&["T3", "--refine", "1000000"], "more than 2²⁸"),
+        (&["T3", "--refine", "1000000"], "more than 2²⁷"),
         (&[], "SCHEME"),
     ] {
         let (code, out, err) = run(arguments);

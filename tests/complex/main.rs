@@ -5,11 +5,14 @@ mod connected_sums;
 mod embedding;
 mod euler;
 mod every_gluing;
+mod every_specimen;
 mod facet_edge;
 mod facet_edge_map;
 mod facet_edge_samples;
 mod facet_edge_sense;
 mod fundamental_group;
+#[cfg(feature = "cli")]
+mod glue_answers;
 mod glue_tetra;
 mod gluings;
 mod ground;

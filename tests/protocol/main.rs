@@ -68,6 +68,8 @@ fn hello_names_the_oracle_and_its_operations() {
         "mesh.check",
         "mesh.plane",
         "mesh.angle_deficits",
+        "complex.glue",
+        "complex.refine",
     ];
     assert_eq!(out["ops"], json!(ops));
     for op in ops {
