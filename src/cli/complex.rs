@@ -6,17 +6,20 @@ use clap::{Args, value_parser};
 use isoracle::answer::scheme_file::{self, SchemeFileError};
 use isoracle::complex::check;
 use isoracle::complex::closed_complex::ClosedComplex;
+use isoracle::complex::flag::Flag;
 use isoracle::complex::gluing_table::GluingTable;
 use isoracle::complex::isosig_fast as isosig;
 use isoracle::complex::realise::intersections::Intersections;
 use isoracle::complex::realise::mesh::{NotSimplicial, TetrahedralMesh};
 use isoracle::complex::realise::{self, Options, RealiseError, Realised};
-use isoracle::complex::refine::{RefineError, Refinement, fast};
+use isoracle::complex::refine::{LatticePoint, RefineError, Refinement, fast, small_tetrahedra};
 use isoracle::complex::scheme::GluingScheme;
+use isoracle::complex::tetrahedra::DUAL;
 use isoracle::complex::triangulation::Triangulation;
 use isoracle::complex::zoo;
 use isoracle::format::FormatError;
 use isoracle::format::snappea::{self, SnapPeaRecord};
+use isoracle::picture::scene::COLOURS;
 use isoracle::picture::{self, Paint};
 use miette::Diagnostic;
 use serde_json::{Value, json};
@@ -241,19 +244,33 @@ fn read(name: &str) -> Result<GluingScheme, Failure> {
     scheme_file::read(&bytes).map_err(|error| Failure::Unreadable { name: name.to_owned(), error })
 }
 
-/// Tetrahedra coloured by the edge that they stand around, the edges themselves drawn as lines.
+/// Tetrahedra coloured by the polyhedron that they lie in most, or, of a single polyhedron or of many, by the edge that they stand
+/// around; the edges of the complex drawn as lines.
 fn paint(name: &str, complex: &ClosedComplex, refined: &Refinement) -> Paint {
     let k = refined.order();
     let flags = complex.tetrahedron_flags();
-    let edges: Vec<u32> = flags.iter().map(|flag| complex.cell(1, *flag)).collect();
-    let small = (k as usize).pow(3);
+    let small = small_tetrahedra(k);
+    let polyhedra = complex.counts()[3];
+    let by_polyhedron = (2..=COLOURS.len()).contains(&polyhedra);
+    let group = |flag: Flag, corners: &[LatticePoint; 4]| {
+        let weight = |corner: usize| corners.iter().map(|point| point[corner]).sum::<u32>();
+        let [on_this_side, beyond] = DUAL.map(weight);
+        match by_polyhedron {
+            true if on_this_side >= beyond => complex.cell(3, flag),
+            true => complex.cell(3, complex.flags().sigma(3, flag)),
+            false => complex.cell(1, flag),
+        }
+    };
+    let (what, count) = if by_polyhedron { ("in polyhedron", polyhedra) } else { ("around edge", complex.counts()[1]) };
+    let names = (0..count).map(|i| format!("{what} {i}")).collect();
     let point =
         |tetrahedron: usize, i: u32| refined.vertex(tetrahedron, [k - i, i, 0, 0]).expect("a point of the edge");
     let lines = (0..flags.len()).flat_map(|t| (0..k).map(move |i| [point(t, i), point(t, i + 1)]));
     Paint {
         title: format!("{name}, refined to order {k}"),
-        groups: edges.iter().flat_map(|edge| std::iter::repeat_n(*edge, small)).collect(),
-        names: (1..=complex.counts()[1]).map(|edge| format!("around edge {edge}")).collect(),
+        groups: flags.iter().flat_map(|flag| small.iter().map(|corners| group(*flag, corners))).collect(),
+        // More than there are colours would say nothing.
+        names: if count <= COLOURS.len() { names } else { Vec::new() },
         lines: lines.collect::<BTreeSet<_>>().into_iter().collect(),
     }
 }

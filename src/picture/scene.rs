@@ -27,7 +27,7 @@ pub struct Scene {
 }
 
 /// How far the corners of a tetrahedron stand from its middle, as a part of the whole way: the inside shows between them.
-pub const SHRUNK: f64 = 0.7;
+pub const SHRUNK: f64 = 0.5;
 
 /// The colours of groups, which come round again; apart in hue and in lightness, legible on light and on dark.
 pub const COLOURS: [[u8; 3]; 8] = [
