@@ -68,12 +68,14 @@ fn canonical_glue(out: &Value) -> Value {
 }
 
 /// The prime powers whose product is n, each prime once.
-fn primary_parts(mut n: u64) -> Vec<u64> {
+fn primary_parts(n: u64) -> Vec<u64> {
     let mut parts = Vec::new();
+    let mut left = n;
     for p in 2..=n {
         let mut power = 1;
-        while n.is_multiple_of(p) {
-            (n, power) = (n / p, power * p);
+        while left.is_multiple_of(p) {
+            left /= p;
+            power *= p;
         }
         parts.extend(Some(power).filter(|power| *power > 1));
     }

@@ -27,7 +27,7 @@ pub struct Paint {
     pub lines: Vec<[u32; 2]>,
 }
 
-/// The extensions that [`write`] knows.
+/// The extensions that [`write()`] knows.
 pub const EXTENSIONS: &str = "ply, vtu, gltf, msh, svg, html";
 
 /// Writes a realised complex as the extension says: `.ply` its triangles in ℝ³; `.vtu` and `.msh` its tetrahedra with their

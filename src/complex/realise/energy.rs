@@ -51,7 +51,7 @@ impl Energy {
     }
 
     /// ∂E/∂x, exactly: for the vertex v
-    /// 4/|E| Σ_{vw} (|x_v − x_w|² − 1)(x_v − x_w) + 2β/|V| (Σ_{vw} u_w/deg w − [deg v > 0] u_v).
+    /// 4/|E| Σ_{vw} (|x_v − x_w|² − 1)(x_v − x_w) + 2β/|V| (Σ_{vw} u_w/deg w − \[deg v > 0\] u_v).
     #[doc(alias = "CX-82")]
     pub fn exact_gradient(&self, x: &[Rational], n: usize) -> Vec<Rational> {
         let u = self.umbrellas(x, n);
