@@ -47,6 +47,7 @@ fn the_page_of_the_three_torus_has_every_invariant() {
         "link of a vertex       sphere\n",
         "H₀ = ℤ, H₁ = ℤ³, H₂ = ℤ³, H₃ = ℤ\n",
         "⟨a, b, c | a b A B, a c A C, b c B C⟩\n",
+        "embedding in ℝ⁴        not excluded\n",
         "topological tetrahedra V = 2, E = 14, F = 24, T = 12\n",
         "barycentric tetrahedra V = 8, E = 56, F = 96, T = 48\n",
         "isomorphism signature  mvvLPQwQQhihjhfgklklklxxxxaxxxxaxxa\n",
@@ -80,6 +81,8 @@ fn json_is_what_the_protocol_answers_and_more() {
     refinement["order"] = json!(3);
     assert_eq!(page["refinement"], refinement);
     assert_eq!(page["vertex_links"], json!(["sphere"]));
+    let why = "impossible, the torsion ℤ/5 of H₁ is no A ⊕ A (Hantzsche)";
+    assert_eq!(page["embedding_in_r4"], json!({"obstruction": why}));
     assert_eq!(page["fundamental_groups"], json!(["⟨a | a a a a a⟩"]));
     let signature = page["isomorphism_signature"].as_str().expect("a text");
     let again = isoracle::complex::isosig::triangulation(signature).expect("it can be read");

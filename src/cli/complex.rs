@@ -97,10 +97,10 @@ enum Failure {
     #[error("--out: {}: {error}", .path.display())]
     #[diagnostic(help("the file could not be written"))]
     Write { path: PathBuf, error: io::Error },
-    #[error("--out: {}: a {} file shows the tetrahedra placed in space", .path.display(), .extension)]
+    #[error("--out: {}: a .{} file shows the tetrahedra placed in space", .path.display(), .extension)]
     #[diagnostic(help("add --realise; .tri, .isosig, .gluings and .scheme need no places"))]
     NotPlaced { path: PathBuf, extension: &'static str },
-    #[error("--out: {}: a {} file has no places", .path.display(), .extension)]
+    #[error("--out: {}: a .{} file has no places", .path.display(), .extension)]
     #[diagnostic(help("--realise writes .ply, .vtu, .gltf, .msh, .svg or .html"))]
     Placed { path: PathBuf, extension: &'static str },
     #[error(

@@ -4,6 +4,7 @@ use isoracle::answer::complex::report;
 use isoracle::complex::abelian::AbelianGroup;
 use isoracle::complex::check::Facts;
 use isoracle::complex::closed_complex::ClosedComplex;
+use isoracle::complex::embedding::{R4Obstruction, r4_obstruction};
 use isoracle::complex::isosig_fast as isosig;
 use isoracle::complex::manifold::Manifold3;
 use isoracle::complex::presentation::Presentation;
@@ -66,11 +67,18 @@ impl Page {
         for group in groups(complex) {
             writeln!(out, "  fundamental group      {group}")?;
         }
+        if let Some(manifold) = self.manifold() {
+            writeln!(out, "  embedding in ℝ⁴        {}", embedding(r4_obstruction(&manifold)))?;
+        }
         write_tetrahedra(out, complex)?;
         if let Some((order, facts)) = &self.refinement {
             write_refinement(out, *order, complex.facet_edge_pairs(), facts)?;
         }
         self.more.iter().try_for_each(|(line, _)| writeln!(out, "{line}"))
+    }
+
+    fn manifold(&self) -> Option<Manifold3> {
+        Manifold3::of(self.complex.clone()?).ok()
     }
 
     fn verdict(&self) -> String {
@@ -95,6 +103,10 @@ impl Page {
             let groups = groups(complex);
             fields.insert("fundamental_groups".to_owned(), groups.iter().map(ToString::to_string).collect());
             fields.insert("isomorphism_signature".to_owned(), json!(signature(complex)));
+        }
+        if let Some(manifold) = self.manifold() {
+            let obstruction = r4_obstruction(&manifold).map(|obstruction| embedding(Some(obstruction)));
+            fields.insert("embedding_in_r4".to_owned(), json!({"obstruction": obstruction}));
         }
         if let (Some((order, facts)), Some(complex)) = (&self.refinement, &self.complex) {
             fields.insert("refinement".to_owned(), refinement_json(*order, complex.facet_edge_pairs(), facts));
@@ -162,6 +174,18 @@ fn refinement_json(order: u32, pairs: usize, facts: &Facts) -> Value {
 
 fn groups(complex: &ClosedComplex) -> Vec<Presentation> {
     complex.fundamental_groups().iter().map(Presentation::simplified).collect()
+}
+
+/// What is known against an embedding; nothing known is no promise.
+fn embedding(obstruction: Option<R4Obstruction>) -> String {
+    match obstruction {
+        None => "not excluded".to_owned(),
+        Some(R4Obstruction::NonOrientable { .. }) => "impossible, a closed hypersurface of ℝ⁴ is orientable".to_owned(),
+        Some(R4Obstruction::Torsion { torsion, .. }) => {
+            let group = AbelianGroup { rank: 0, torsion };
+            format!("impossible, the torsion {group} of H₁ is no A ⊕ A (Hantzsche)")
+        }
+    }
 }
 
 fn signature(complex: &ClosedComplex) -> Option<String> {
