@@ -29,4 +29,18 @@ impl Partition {
         self.parent[i.max(j)] = i.min(j) as u32;
         i != j
     }
+
+    /// The number of each element's set, sets numbered by their first elements, and how many sets there are.
+    pub fn numbered(&mut self) -> (Vec<u32>, usize) {
+        let (mut numbers, mut count) = (vec![u32::MAX; self.parent.len()], 0);
+        for i in 0..numbers.len() {
+            let first = self.find(i);
+            if numbers[first] == u32::MAX {
+                numbers[first] = count;
+                count += 1;
+            }
+            numbers[i] = numbers[first];
+        }
+        (numbers, count as usize)
+    }
 }

@@ -105,16 +105,7 @@ impl Flags {
                 parts.join(i, *j as usize);
             }
         }
-        let (mut numbers, mut count) = (vec![u32::MAX; self.len()], 0);
-        for i in 0..self.len() {
-            let first = parts.find(i);
-            if numbers[first] == u32::MAX {
-                numbers[first] = count;
-                count += 1;
-            }
-            numbers[i] = numbers[first];
-        }
-        (numbers, count as usize)
+        parts.numbered()
     }
 
     /// A sign for each flag such that each of these maps changes it, + for the first flag of each orbit.

@@ -233,16 +233,7 @@ fn classes(base: &Triangulation, order: u32) -> (Vec<u32>, usize) {
             }
         }
     }
-    let (mut numbers, mut count) = (vec![u32::MAX; base.len() * points.len()], 0);
-    for i in 0..numbers.len() {
-        let first = parts.find(i);
-        if numbers[first] == u32::MAX {
-            numbers[first] = count;
-            count += 1;
-        }
-        numbers[i] = numbers[first];
-    }
-    (numbers, count as usize)
+    parts.numbered()
 }
 
 fn corner_numbers(tetrahedra: usize, small: &[[LatticePoint; 4]], order: u32, numbers: &[u32]) -> Vec<[u32; 4]> {

@@ -128,16 +128,6 @@ pub fn edge_between(i: usize, j: usize) -> usize {
 }
 
 fn numbered<const N: usize>(classes: &mut Partition, n: usize) -> (Vec<[u32; N]>, usize) {
-    let (mut numbers, mut count) = (vec![u32::MAX; N * n], 0);
-    let rows = (0..n).map(|row| {
-        std::array::from_fn(|column| {
-            let class = classes.find(N * row + column);
-            if numbers[class] == u32::MAX {
-                numbers[class] = count;
-                count += 1;
-            }
-            numbers[class]
-        })
-    });
-    (rows.collect(), count as usize)
+    let (numbers, count) = classes.numbered();
+    ((0..n).map(|row| std::array::from_fn(|column| numbers[N * row + column])).collect(), count)
 }

@@ -2,6 +2,7 @@
 
 pub mod candidate;
 pub mod complex;
+mod fault;
 pub mod html;
 pub mod isosurface;
 pub mod junit;

@@ -1,43 +1,9 @@
 //! A candidate's answer beside the true one. What it leaves out is not judged, and named.
 
 use crate::answer::value;
+use crate::judge::fault::Fault;
 use crate::number::Integer;
 use serde_json::Value;
-
-/// One way in which an answer is wrong.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault {
-    /// Its short name, by which failures are told apart.
-    pub name: &'static str,
-    /// The spec entry of the truth that it breaks.
-    pub formula: &'static str,
-    /// One sentence.
-    pub message: String,
-    /// What differs.
-    pub invariant: String,
-    /// The truth.
-    pub expected: String,
-    /// The candidate's.
-    pub found: String,
-}
-
-impl Fault {
-    fn new(name: &'static str, formula: &'static str, invariant: &str, expected: &str, found: &str) -> Fault {
-        let message = format!("{invariant}: expected {expected}, found {found}");
-        let [invariant, expected, found] = [invariant, expected, found].map(str::to_owned);
-        Fault { name, formula, message, invariant, expected, found }
-    }
-
-    /// An error where there is an answer, or another error than the question is.
-    pub fn refused(expected: &str, found: &str) -> Fault {
-        Fault::new("refused", formula("answer"), "kind of answer", expected, found)
-    }
-
-    /// An answer where the question has none.
-    pub fn answered(kind: &str, out: &Value) -> Fault {
-        Fault::new("answered", formula("answer"), "kind of answer", &format!("an error: {kind}"), &out.to_string())
-    }
-}
 
 /// How two values of a field are compared.
 #[derive(Clone, Copy)]
@@ -219,7 +185,7 @@ fn torsion(list: &Value) -> Option<Vec<Integer>> {
 }
 
 /// The spec entry of a field's truth.
-fn formula(field: &str) -> &'static str {
+pub fn formula(field: &str) -> &'static str {
     match field.split('.').next().expect("split has a first part") {
         "valid" => "CX-5",
         "reason" => "CX-6",

@@ -10,14 +10,14 @@ mod smaller;
 pub use disguise::disguised;
 
 use super::candidate::{Candidate, Reply};
-use super::report::{Difference, Failure, PositionError, QuestionRecord};
+use super::fault::{Fault, failure};
+use super::report::{Failure, PositionError};
 use super::suite::{Judgement, Suite};
 use crate::answer;
 use crate::answer::value::{InvalidField, Object};
 use crate::complex::closed_complex::ClosedComplex;
 use crate::complex::manifold::Manifold3;
 use crate::complex::scheme::{GluingScheme, Reason, SchemeDefect};
-use compare::Fault;
 use questions::{Question, Row, questions};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -47,14 +47,17 @@ impl Complex {
             // Whether a scheme is ill-posed or only no manifold is told apart by the reasons of `complex.glue`.
             (Err(_), Reply::Error { kind, .. }) if REFUSALS.contains(&&kind[..]) => return Judgement::right(),
             (Err(kind), Reply::Error { kind: found, message }) => {
-                (vec![Fault::refused(kind, &format!("{found}: {message}"))], Vec::new())
+                (vec![Fault::refused(compare::formula("answer"), kind, &format!("{found}: {message}"))], Vec::new())
             }
-            (Err(kind), Reply::Out(out)) => (vec![Fault::answered(kind, &out)], Vec::new()),
+            (Err(kind), Reply::Out(out)) => (vec![Fault::answered(compare::formula("answer"), kind, &out)], Vec::new()),
             (Ok(truth), Reply::Error { kind, message }) => {
                 if kind == "invalid-input" && is_ill_posed(&truth) {
                     return Judgement::right();
                 }
-                (vec![Fault::refused("an answer", &format!("{kind}: {message}"))], Vec::new())
+                (
+                    vec![Fault::refused(compare::formula("answer"), "an answer", &format!("{kind}: {message}"))],
+                    Vec::new(),
+                )
             }
             (Ok(truth), Reply::Out(out)) => compare::compare(question.operation(), &truth, &out),
         };
@@ -135,18 +138,7 @@ impl Suite for Complex {
 
     fn failure(&self, question: &Question, evidence: Option<Evidence>) -> Failure {
         let faults = evidence.map_or(Vec::new(), |evidence| evidence.0);
-        Failure {
-            row: String::new(),
-            case: question.row.name().to_owned(),
-            fault: String::new(),
-            formula: faults.first().map_or("", |fault| fault.formula).to_owned(),
-            messages: faults.iter().take(8).map(|fault| fault.message.clone()).collect(),
-            question: QuestionRecord::Other { op: question.operation().to_owned(), input: question.input() },
-            differences: faults.into_iter().take(4).map(Fault::difference).collect(),
-            expected: None,
-            found: None,
-            command: String::new(),
-        }
+        failure(faults, question.row.name(), question.operation(), question.input(), None)
     }
 
     fn text(&self, question: &Question) -> Value {
@@ -155,11 +147,5 @@ impl Suite for Complex {
 
     fn parse(&self, text: &Object) -> Result<Question, InvalidField> {
         Question::parse(text)
-    }
-}
-
-impl Fault {
-    fn difference(self) -> Difference {
-        Difference { invariant: self.invariant, expected: self.expected, found: self.found }
     }
 }

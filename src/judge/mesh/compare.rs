@@ -1,46 +1,12 @@
 //! A candidate's answer beside the true one. What it leaves out is not judged, and named.
 
 use crate::answer::value;
+use crate::judge::fault::Fault;
 use crate::judge::isosurface::place::Tolerance;
 use crate::linear::Vector;
 use crate::number::Rational;
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
-
-/// One way in which an answer is wrong.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fault {
-    /// Its short name, by which failures are told apart.
-    pub name: &'static str,
-    /// The spec entry of the truth that it breaks.
-    pub formula: &'static str,
-    /// One sentence.
-    pub message: String,
-    /// What differs.
-    pub invariant: String,
-    /// The truth.
-    pub expected: String,
-    /// The candidate's.
-    pub found: String,
-}
-
-impl Fault {
-    fn new(name: &'static str, formula: &'static str, invariant: &str, expected: &str, found: &str) -> Fault {
-        let message = format!("{invariant}: expected {expected}, found {found}");
-        let [invariant, expected, found] = [invariant, expected, found].map(str::to_owned);
-        Fault { name, formula, message, invariant, expected, found }
-    }
-
-    /// An error where there is an answer, or another error than the question is.
-    pub fn refused(operation: &str, expected: &str, found: &str) -> Fault {
-        Fault::new("refused", whole(operation), "kind of answer", expected, found)
-    }
-
-    /// An answer where the question has none.
-    pub fn answered(operation: &str, kind: &str, out: &Value) -> Fault {
-        Fault::new("answered", whole(operation), "kind of answer", &format!("an error: {kind}"), &out.to_string())
-    }
-}
 
 /// What an answer says of one thing.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -294,7 +260,7 @@ fn formula(name: &str) -> &'static str {
 }
 
 /// The spec entry of an operation as a whole.
-fn whole(operation: &str) -> &'static str {
+pub fn whole(operation: &str) -> &'static str {
     match operation {
         "mesh.plane" => "ME-67",
         "mesh.angle_deficits" => "ME-118",

@@ -7,13 +7,13 @@ pub mod questions;
 mod smaller;
 
 use super::candidate::{Candidate, Reply};
+use super::fault::{Fault, failure};
 use super::isosurface::place::Tolerance;
-use super::report::{Difference, Failure, PositionError, QuestionRecord, SurfaceRecord};
+use super::report::{Failure, PositionError, SurfaceRecord};
 use super::suite::{Judgement, Suite};
 use crate::answer;
 use crate::answer::value::{InvalidField, Object};
 use crate::number::binary::nearest_f64;
-use compare::Fault;
 use questions::{Question, Row, questions};
 use serde_json::{Value, json};
 
@@ -40,13 +40,21 @@ impl Mesh {
             (_, Reply::Unsupported(why)) => return Judgement::Unsupported(why),
             (_, Reply::Error { kind, message }) if kind == "limit" => return Judgement::Unsupported(message),
             (Err(kind), Reply::Error { kind: found, .. }) if found == kind => return Judgement::right(),
-            (Err(kind), Reply::Error { kind: found, message }) => {
-                (vec![Fault::refused(question.row.operation(), kind, &format!("{found}: {message}"))], Vec::new())
+            (Err(kind), Reply::Error { kind: found, message }) => (
+                vec![Fault::refused(compare::whole(question.row.operation()), kind, &format!("{found}: {message}"))],
+                Vec::new(),
+            ),
+            (Err(kind), Reply::Out(out)) => {
+                (vec![Fault::answered(compare::whole(question.row.operation()), kind, &out)], Vec::new())
             }
-            (Err(kind), Reply::Out(out)) => (vec![Fault::answered(question.row.operation(), kind, &out)], Vec::new()),
-            (Ok(_), Reply::Error { kind, message }) => {
-                (vec![Fault::refused(question.row.operation(), "an answer", &format!("{kind}: {message}"))], Vec::new())
-            }
+            (Ok(_), Reply::Error { kind, message }) => (
+                vec![Fault::refused(
+                    compare::whole(question.row.operation()),
+                    "an answer",
+                    &format!("{kind}: {message}"),
+                )],
+                Vec::new(),
+            ),
             (Ok(truth), Reply::Out(out)) => compare::compare(question.row.operation(), &truth, &out, self.tolerance),
         };
         match faults.first().map(|fault| fault.name) {
@@ -119,18 +127,7 @@ impl Suite for Mesh {
 
     fn failure(&self, question: &Question, evidence: Option<Evidence>) -> Failure {
         let faults = evidence.map_or(Vec::new(), |evidence| evidence.0);
-        Failure {
-            row: String::new(),
-            case: question.row.name().to_owned(),
-            fault: String::new(),
-            formula: faults.first().map_or("", |fault| fault.formula).to_owned(),
-            messages: faults.iter().take(8).map(|fault| fault.message.clone()).collect(),
-            question: QuestionRecord::Other { op: question.row.operation().to_owned(), input: question.input() },
-            differences: faults.into_iter().take(4).map(Fault::difference).collect(),
-            expected: Some(picture(question)),
-            found: None,
-            command: String::new(),
-        }
+        failure(faults, question.row.name(), question.row.operation(), question.input(), Some(picture(question)))
     }
 
     fn text(&self, question: &Question) -> Value {
@@ -150,11 +147,5 @@ fn picture(question: &Question) -> SurfaceRecord {
     SurfaceRecord {
         vertices: question.mesh.vertices.iter().map(|v| v.0.each_ref().map(nearest_f64)).collect(),
         faces: fans.filter(|[a, b, c]| a != b && b != c && c != a && a.max(b).max(c) < &count).collect(),
-    }
-}
-
-impl Fault {
-    fn difference(self) -> Difference {
-        Difference { invariant: self.invariant, expected: self.expected, found: self.found }
     }
 }
