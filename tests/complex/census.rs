@@ -16,11 +16,6 @@ pub fn snapshots(check: impl FnOnce()) {
     settings.bind(check);
 }
 
-/// Whether the long form of a test is asked for: the environment has `ISORACLE_LONG=1`.
-fn long() -> bool {
-    std::env::var("ISORACLE_LONG").is_ok_and(|value| value == "1")
-}
-
 /// The kind of a gluing by the second derivation.
 fn naive_kind(scheme: &GluingScheme) -> Kind {
     let found = found(scheme);
@@ -198,7 +193,7 @@ mod cx_13 {
     fn the_image_of_a_gluing_is_the_same_space() {
         let census = of(Polyhedron::cube());
         let all = symmetries(census.polyhedron());
-        let step = if long() { 1 } else { 37 };
+        let step = if crate::is_long() { 1 } else { 37 };
         for scheme in census.gluings().step_by(step) {
             let before = kind(scheme.clone()).expect("faces are matched");
             for symmetry in all.iter().step_by(5) {
@@ -219,7 +214,7 @@ mod cx_13 {
 #[test]
 fn the_gluings_of_a_hexagonal_prism_are_seen_alike_by_both() {
     let census = of(Polyhedron::prism(6));
-    let step = if long() { 7 } else { 911 };
+    let step = if crate::is_long() { 7 } else { 911 };
     for scheme in census.gluings().step_by(step) {
         assert_eq!(kind(scheme.clone()).expect("faces are matched"), naive_kind(&scheme), "{:?}", scheme.pairings);
     }

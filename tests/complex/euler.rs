@@ -1,8 +1,7 @@
 //! Orientation, links and χ, each by a second route.
 
 use crate::every_gluing::{
-    cube_gluings, is_long, named, one_tetrahedron, random_triangulation, small_complexes, tetrahedron_gluings,
-    triangulation,
+    cube_gluings, named, one_tetrahedron, random_triangulation, small_complexes, tetrahedron_gluings, triangulation,
 };
 use isoracle::complex::closed_complex::ClosedComplex;
 use isoracle::complex::examples::paired;
@@ -131,7 +130,7 @@ mod cx_69 {
 
     #[test]
     fn chi_is_told_by_the_links_of_every_glued_cube() {
-        let step = if is_long() { 1 } else { 7 };
+        let step = if crate::is_long() { 1 } else { 7 };
         let mut reversed_cubes = 0;
         for scheme in tetrahedron_gluings().into_iter().chain(cube_gluings().into_iter().step_by(step)) {
             let (counts, reversed) = counted(&scheme);

@@ -7,11 +7,6 @@ use isoracle::complex::scheme::{FaceId, GluingScheme, Pairing, Polyhedron};
 use isoracle::complex::triangulation::{TriangleGluing, Triangulation};
 use proptest::prelude::*;
 
-/// Whether the long form of a test is asked for: the environment has `ISORACLE_LONG=1`.
-pub fn is_long() -> bool {
-    std::env::var("ISORACLE_LONG").is_ok_and(|value| value == "1")
-}
-
 /// Pairs of faces of one polyhedron with their maps: (a, b, shift, dir).
 pub type Pairs = Vec<(usize, usize, i64, i64)>;
 
@@ -42,7 +37,7 @@ pub fn cube_gluings() -> Vec<GluingScheme> {
 
 /// Closed complexes: every one of the tetrahedron, and of the cube one in so many, all if the long form is asked for.
 pub fn small_complexes(one_in: usize) -> Vec<ClosedComplex> {
-    let step = if is_long() { 1 } else { one_in };
+    let step = if crate::is_long() { 1 } else { one_in };
     let cubes = cube_gluings().into_iter().step_by(step);
     tetrahedron_gluings().into_iter().chain(cubes).filter_map(|scheme| ClosedComplex::new(scheme).ok()).collect()
 }

@@ -8,11 +8,6 @@ use isoracle::complex::handle::{Handle, Space};
 use isoracle::complex::scheme::{FaceId, GluingScheme, Pairing, Polyhedron};
 use isoracle::complex::triangulation::Triangulation;
 
-/// Whether the long form of a test is asked for: the environment has `ISORACLE_LONG=1`.
-pub fn is_long() -> bool {
-    std::env::var("ISORACLE_LONG").is_ok_and(|value| value == "1")
-}
-
 /// The pairings of the faces of one polyhedron in twos, in all ways.
 fn matchings(faces: &[usize]) -> Vec<Vec<[usize; 2]>> {
     let Some((first, rest)) = faces.split_first() else { return vec![Vec::new()] };
@@ -49,7 +44,7 @@ pub fn tetrahedron_gluings() -> Vec<GluingScheme> {
 
 /// The 7,680 gluings of the cube; without the long form every 13th.
 pub fn cube_gluings() -> Vec<GluingScheme> {
-    gluings(&Polyhedron::cube(), 4).into_iter().step_by(if is_long() { 1 } else { 13 }).collect()
+    gluings(&Polyhedron::cube(), 4).into_iter().step_by(if crate::is_long() { 1 } else { 13 }).collect()
 }
 
 /// Polyhedra given by faces with the names of their vertices, each face glued to the one of the same names.

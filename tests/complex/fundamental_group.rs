@@ -1,6 +1,6 @@
 //! Fundamental groups: three presentations of each, their abelianisations, and homomorphisms to small groups.
 
-use crate::every_gluing::{dodecahedron, is_long, named, small_complexes};
+use crate::every_gluing::{dodecahedron, named, small_complexes};
 use isoracle::complex::abelian::AbelianGroup;
 use isoracle::complex::closed_complex::ClosedComplex;
 use isoracle::complex::examples::{lens_space, paired, three_torus};
@@ -317,7 +317,7 @@ mod cx_78 {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(if is_long() { 4096 } else { 256 }))]
+        #![proptest_config(ProptestConfig::with_cases(if crate::is_long() { 4096 } else { 256 }))]
 
         #[test]
         fn simplifying_keeps_the_group(group in a_group()) {

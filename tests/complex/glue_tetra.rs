@@ -70,8 +70,8 @@ fn tetrahedra_of(complex: &ClosedComplex) -> FacetEdgeStructure {
 }
 
 fn complexes() -> Vec<(String, ClosedComplex)> {
-    let tetrahedra = closed(tetrahedron_gluings()).into_iter().step_by(if is_long() { 1 } else { 4 });
-    let cubes = closed(cube_gluings()).into_iter().step_by(if is_long() { 5 } else { 40 });
+    let tetrahedra = closed(tetrahedron_gluings()).into_iter().step_by(if crate::is_long() { 1 } else { 4 });
+    let cubes = closed(cube_gluings()).into_iter().step_by(if crate::is_long() { 5 } else { 40 });
     let gluings = tetrahedra.chain(cubes).enumerate().map(|(i, complex)| (format!("gluing {i}"), complex));
     examples().into_iter().chain(gluings).collect()
 }
@@ -113,7 +113,7 @@ mod cx_30 {
         let complex = ClosedComplex::new(mirrored_torus()).expect("closed");
         let (pairs, expected) = (FacetEdgeStructure::of(&complex), tetrahedra_of(&complex));
         let mut runner = proptest::test_runner::TestRunner::deterministic();
-        let cases = if is_long() { 60 } else { 6 };
+        let cases = if crate::is_long() { 60 } else { 6 };
         for _ in 0..cases {
             let order = Just(pairs.gluings()).prop_shuffle().new_tree(&mut runner).expect("a shuffle").current();
             let versions =

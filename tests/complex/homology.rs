@@ -1,6 +1,6 @@
 //! Homology by three cell structures, and what it must be.
 
-use crate::every_gluing::{beside, is_long, named, one_tetrahedron, random_triangulation, small_complexes};
+use crate::every_gluing::{beside, named, one_tetrahedron, random_triangulation, small_complexes};
 use crate::subdivided::subdivided;
 use isoracle::complex::closed_complex::ClosedComplex;
 use isoracle::complex::examples::paired;
@@ -130,7 +130,7 @@ mod cx_66 {
         for complex in &complexes {
             agree(complex, &format!("{:?}", complex.scheme().pairings));
         }
-        if is_long() {
+        if crate::is_long() {
             // Of 108 + 7,680.
             assert_eq!(complexes.len(), 39 + 4473);
         }

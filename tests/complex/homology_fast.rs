@@ -1,7 +1,7 @@
 //! The fast homology of triangulations against Smith's form of all their chains.
 
 use crate::every_gluing::{
-    beside, is_long, named, one_tetrahedron, random_triangulation, small_complexes, surface_times_circle,
+    beside, named, one_tetrahedron, random_triangulation, small_complexes, surface_times_circle,
 };
 use crate::subdivided::subdivided;
 use isoracle::complex::abelian::AbelianGroup;
@@ -84,7 +84,7 @@ mod cx_79 {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(if is_long() { 20_000 } else { 512 }))]
+        #![proptest_config(ProptestConfig::with_cases(if crate::is_long() { 20_000 } else { 512 }))]
 
         #[test]
         fn it_is_that_of_all_chains_of_random_triangulations(triangulation in random_triangulation(8)) {

@@ -34,3 +34,8 @@ mod subdivided;
 mod subdivision;
 mod validity;
 mod zoo;
+
+/// Whether the long form of a test is asked for: the environment has `ISORACLE_LONG=1`.
+fn is_long() -> bool {
+    std::env::var("ISORACLE_LONG").is_ok_and(|value| value == "1")
+}

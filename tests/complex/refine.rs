@@ -348,7 +348,7 @@ mod cx_59 {
     #[test]
     fn of_the_cubes_it_is_right_for_those_with_three_vertices_and_order_six() {
         let mut found: BTreeMap<u64, usize> = BTreeMap::new();
-        let step = if std::env::var_os("ISORACLE_LONG").is_some() { 1 } else { 3 };
+        let step = if crate::is_long() { 1 } else { 3 };
         for manifold in all_schemes(&Polyhedron::cube()).step_by(step).filter_map(|scheme| Manifold3::new(scheme).ok())
         {
             assert_eq!(orders(&manifold), if manifold.counts()[0] == 3 { vec![6] } else { vec![] });
@@ -368,7 +368,7 @@ mod cx_60 {
     #[test]
     fn no_connected_manifold_has_more_vertices_and_polyhedra() {
         let mut most: BTreeMap<u64, u64> = BTreeMap::new();
-        let longest = if std::env::var_os("ISORACLE_LONG").is_some() { 4 } else { 3 };
+        let longest = if crate::is_long() { 4 } else { 3 };
         for base in (1..=longest).flat_map(all_gluings) {
             let facts = check::fast::check(&base);
             if facts.components == 1 && facts.defects.is_empty() {

@@ -11,13 +11,9 @@ use isoracle::complex::scheme::Polyhedron;
 use isoracle::complex::triangulation::Triangulation;
 use std::collections::{BTreeMap, BTreeSet};
 
-fn is_long() -> bool {
-    std::env::var_os("ISORACLE_LONG").is_some()
-}
-
 /// Every gluing of up to three topological tetrahedra with edges that are edges, lens spaces, cubes; some of each where time is short.
 fn bases() -> Vec<Triangulation> {
-    let (triples, cubes) = if is_long() { (1, 1) } else { (13, 149) };
+    let (triples, cubes) = if crate::is_long() { (1, 1) } else { (13, 149) };
     let gluings = (1..=2).flat_map(all_gluings).chain(all_gluings(3).step_by(triples)).filter(has_edges);
     let lenses = (1..=13).flat_map(|p| (0..p).map(move |q| (p, q))).step_by(3);
     let lenses = lenses.filter_map(|(p, q)| ClosedComplex::new(lens_space(p, q)).ok());
@@ -178,7 +174,7 @@ mod cx_64 {
 
     #[test]
     fn of_small_manifolds_they_are_those_with_an_edge_of_one_or_two_tetrahedra() {
-        let (triples, cubes) = if is_long() { (1, 1) } else { (3, 7) };
+        let (triples, cubes) = if crate::is_long() { (1, 1) } else { (3, 7) };
         let gluings = (1..=2).flat_map(all_gluings).chain(all_gluings(3).step_by(triples));
         let cubes = all_schemes(&Polyhedron::cube()).step_by(cubes).filter_map(|scheme| Manifold3::new(scheme).ok());
         let mut tally: BTreeMap<bool, usize> = BTreeMap::new();

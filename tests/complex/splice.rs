@@ -241,7 +241,7 @@ mod cx_26 {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(if is_long() { 2_000 } else { 60 }))]
+        #![proptest_config(ProptestConfig::with_cases(if crate::is_long() { 2_000 } else { 60 }))]
 
         #[test]
         fn every_operation_keeps_the_structure_sound(
