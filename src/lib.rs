@@ -8,6 +8,8 @@
 //! | [`isosurface`] | multilinear interpolation, marching squares, triangles, cubes, tetrahedra |
 //! | [`mesh`] | facts about any polygon mesh |
 //! | [`complex`] | closed 3-complexes: polyhedra glued face to face, and their tetrahedra |
+//! | [`curvature`] | jets; curvature of plane curves and surfaces, parametric and implicit |
+//! | [`spline`] | cubic B-splines: interpolation, derivatives, curvature of what they interpolate |
 //! | [`format`](mod@format) | bytes ↔ unchecked records |
 //! | [`picture`] | realised complexes drawn: a still, a turning page, files for other programs |
 //! | [`answer`] | the question-and-answer protocol |
@@ -29,6 +31,7 @@
 #[cfg(feature = "cli")]
 pub mod answer;
 pub mod complex;
+pub mod curvature;
 #[cfg(feature = "cli")]
 pub mod format;
 pub mod isosurface;
@@ -42,3 +45,4 @@ pub mod partition;
 pub mod picture;
 #[cfg(feature = "cli")]
 pub mod spec;
+pub mod spline;

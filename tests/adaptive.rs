@@ -5,8 +5,8 @@ use isoracle::isosurface::bernstein::{Bernstein, Extent, Part, Region};
 use isoracle::isosurface::cell::{self, Tie};
 use isoracle::isosurface::cube::{Corner, Edge};
 use isoracle::isosurface::topology::{SurfaceComponent, topology};
-use isoracle::isosurface::trivariate::Trivariate;
 use isoracle::isosurface::volume::{Level, Volume};
+use isoracle::number::Trivariate;
 use isoracle::number::{Integer, Polynomial, Rational, Ring, Sign, SturmChain};
 use proptest::prelude::*;
 

@@ -13,11 +13,16 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("isosurface", &["number", "linear", "partition"]),
     ("mesh", &["number", "linear", "partition"]),
     ("complex", &["number", "linear", "partition", "mesh"]),
+    ("curvature", &["number", "linear", "mesh"]),
+    ("spline", &["number", "linear", "isosurface", "mesh", "curvature"]),
     ("format", &[]),
     ("picture", &["complex", "format"]),
     ("spec", &[]),
-    ("answer", &["number", "linear", "isosurface", "mesh", "complex", "format"]),
-    ("judge", &["number", "linear", "partition", "isosurface", "mesh", "complex", "format", "answer"]),
+    ("answer", &["number", "linear", "isosurface", "mesh", "complex", "curvature", "spline", "format"]),
+    (
+        "judge",
+        &["number", "linear", "partition", "isosurface", "mesh", "complex", "curvature", "spline", "format", "answer"],
+    ),
 ];
 
 fn source(path: &Path, files: &mut Vec<PathBuf>) {

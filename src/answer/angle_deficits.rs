@@ -1,11 +1,10 @@
 //! `mesh.angle_deficits`.
 
 use super::message::{Out, Refusal};
-use super::value::{self, Exact, InvalidField, Object, Problem, Step};
+use super::value::{self, EnclosureOut, Exact, InvalidField, Object, Problem, Step};
 use crate::linear::Vector;
 use crate::mesh::angle_deficit::{AngleError, AngleMesh, Corner, Curvature};
 use crate::number::Rational;
-use crate::number::decimal::{DecimalEnclosure, Digits};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -15,12 +14,6 @@ struct AngleDeficitsOut {
     deficits: Vec<EnclosureOut>,
     over_pi: Vec<Option<Exact>>,
     angles: Vec<Vec<AngleOut>>,
-}
-
-#[derive(Serialize)]
-struct EnclosureOut {
-    lo: String,
-    hi: String,
 }
 
 #[derive(Serialize)]
@@ -51,7 +44,7 @@ pub fn angle_deficits(input: &Object) -> Result<Out, Refusal> {
     Ok(Out::new(&AngleDeficitsOut {
         chi: total.chi,
         total_over_pi: Exact(Rational::from(total.half_turns)),
-        deficits: curvatures.iter().map(|curvature| enclosure(curvature, digits)).collect(),
+        deficits: curvatures.iter().map(|curvature| curvature.decimals(digits).into()).collect(),
         over_pi: curvatures.iter().map(|curvature| curvature.over_pi().map(Exact)).collect(),
         angles: vertices
             .map(|v| {
@@ -64,11 +57,6 @@ pub fn angle_deficits(input: &Object) -> Result<Out, Refusal> {
             })
             .collect(),
     }))
-}
-
-fn enclosure(curvature: &Curvature, digits: Digits) -> EnclosureOut {
-    let DecimalEnclosure { lo, hi } = curvature.decimals(digits);
-    EnclosureOut { lo, hi }
 }
 
 /// Only a triangle without area is well-posed.

@@ -2,6 +2,9 @@
 
 use super::value::{InvalidField, Object};
 use crate::complex::scheme::SchemeDefect;
+use crate::curvature::implicit_curve::SingularPoint;
+use crate::curvature::parametric_curve::CurveError;
+use crate::curvature::parametric_surface::SurfaceError;
 use crate::isosurface::cell::Degenerate;
 use crate::isosurface::polyline::DegenerateGridSquare;
 use crate::isosurface::square::DegenerateSquare;
@@ -102,6 +105,22 @@ pub enum Refusal {
         /// The limit.
         limit: u64,
     },
+    /// A point where the gradient is zero.
+    #[error("{field}{}: {error}", .index.map_or(String::new(), |i| format!("[{i}]")))]
+    SingularPoint {
+        /// The field that gives the point.
+        field: &'static str,
+        /// Which of its items.
+        index: Option<usize>,
+        /// That it is singular.
+        error: SingularPoint,
+    },
+    /// A parameter where a curve has no curvature.
+    #[error("t: {0}")]
+    CurveError(#[from] CurveError),
+    /// A parameter where a surface has no curvature.
+    #[error("point: {0}")]
+    SurfaceError(#[from] SurfaceError),
     /// An operation panicked: our fault.
     #[error("a bug in the oracle: {0}")]
     Panic(String),
@@ -165,7 +184,10 @@ impl Refusal {
             | Refusal::DegenerateSample(_)
             | Refusal::NoPlane(_)
             | Refusal::DegenerateTriangle(_)
-            | Refusal::NoManifold(_) => Some(Kind::Degenerate),
+            | Refusal::NoManifold(_)
+            | Refusal::SingularPoint { .. }
+            | Refusal::CurveError(_)
+            | Refusal::SurfaceError(_) => Some(Kind::Degenerate),
             Refusal::Panic(_) => Some(Kind::Internal),
         }
     }

@@ -9,12 +9,14 @@
 pub mod angle_deficits;
 pub mod complex;
 pub mod complex_refine;
+pub mod curvature;
 pub mod isosurface;
 pub mod mesh;
 pub mod mesh_check;
 pub mod mesh_report;
 pub mod message;
 pub mod scheme_file;
+pub mod spline;
 pub mod trilinear;
 pub mod value;
 pub mod volume;
@@ -47,7 +49,16 @@ pub const OPERATIONS: &[(&str, Operation)] = &[
     ("isosurface.mesh", isosurface::mesh),
     ("isosurface.polyline", isosurface::polyline),
     ("isosurface.tetrahedra", isosurface::tetrahedra),
+    ("spline.coefficients", spline::coefficients),
+    ("spline.evaluate", spline::evaluate),
+    ("spline.impulse", spline::impulse),
     ("trilinear.evaluate", trilinear::evaluate),
+    ("curvature.implicit_curve", curvature::implicit_curve),
+    ("curvature.implicit_surface", curvature::implicit_surface),
+    ("curvature.parametric_curve", curvature::parametric_curve),
+    ("curvature.parametric_surface", curvature::parametric_surface),
+    ("curvature.spline", spline::curvature),
+    ("curvature.normalize", curvature::normalize),
     ("mesh.check", mesh_check::check),
     ("mesh.plane", mesh_check::plane),
     ("mesh.angle_deficits", angle_deficits::angle_deficits),

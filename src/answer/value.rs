@@ -1,12 +1,14 @@
 //! JSON ↔ exact numbers: the fields of a question, each read with the place where it goes wrong.
 
+use crate::curvature::normalize::SlopeError;
 use crate::format::FormatError;
 use crate::isosurface::polyline::RasterError;
 use crate::isosurface::volume::VolumeError;
 use crate::mesh::angle_deficit::AngleError;
 use crate::number::Rational;
-use crate::number::decimal::Digits;
+use crate::number::decimal::{DecimalEnclosure, Digits};
 use crate::number::text::{self, NumberError};
+use crate::spline::signal::SignalError;
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 use std::fmt::{self, Display, Formatter};
@@ -19,7 +21,7 @@ pub type Object = Map<String, Value>;
 pub const MAX_SAMPLES: usize = 1 << 28;
 
 /// One step into a question.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Step {
     /// Into the field of this name.
     Field(&'static str),
@@ -27,6 +29,8 @@ pub enum Step {
     Item(usize),
     /// Into the field that is named by this number.
     Key(usize),
+    /// Into the field of this name, which the question has chosen.
+    Name(String),
 }
 
 /// A field of a question that cannot be read: where it is, such as `volume.shape[1]`, and what is wrong.
@@ -129,6 +133,58 @@ pub enum Problem {
     /// It is no order of refinement.
     #[error("expected an order, an integer from 1 on, found {0}")]
     Order(Rational),
+    /// It is no exponent.
+    #[error("expected an exponent, an integer from 0 on, found {0}")]
+    Exponent(Rational),
+    /// An exponent beyond the limit.
+    #[error("an exponent may be at most {limit}, found {found}")]
+    LargeExponent {
+        /// What it is.
+        found: Rational,
+        /// The limit.
+        limit: u32,
+    },
+    /// It is no slope of n_λ.
+    #[error("{0}")]
+    Slope(SlopeError),
+    /// Shape and values do not make a signal; its message names the field.
+    #[error("{0}")]
+    Signal(SignalError),
+    /// A signal with more samples than are worked out exactly.
+    #[error("at most {limit} samples are interpolated exactly")]
+    LongSignal {
+        /// The limit.
+        limit: usize,
+    },
+    /// A signal of no axis, or of more than three.
+    #[error("expected 1 to 3 axes, found {found}")]
+    Axes {
+        /// How many there are.
+        found: usize,
+    },
+    /// A signal whose level sets are points.
+    #[error("a signal of one axis has no curvature; expected 2 or 3 axes")]
+    NoCurvature,
+    /// It names no derivative.
+    #[error("expected a word of the first {axes} of the letters x, y, z, each at most twice, found {found:?}")]
+    Derivative {
+        /// The word, or its first 40 characters.
+        found: String,
+        /// How many axes there are.
+        axes: usize,
+    },
+    /// Two samples at one place.
+    #[error("there is a sample at this place already")]
+    SampleTwice,
+    /// A range that ends before it begins.
+    #[error("before k_from")]
+    EmptyRange,
+    /// Places that are far apart.
+    #[error("more than the limit of {limit} away from a sample or from 0")]
+    Far {
+        /// The limit.
+        limit: u32,
+    },
     /// What is in the file does not make a volume.
     #[error("{0}")]
     VolumeFile(VolumeError),
@@ -158,6 +214,10 @@ impl InvalidField {
     pub fn is_limit(&self) -> bool {
         match &self.problem {
             Problem::TooManySamples
+            | Problem::LargeExponent { .. }
+            | Problem::LongSignal { .. }
+            | Problem::Far { .. }
+            | Problem::Signal(SignalError::TooLarge)
             | Problem::Volume(VolumeError::TooLarge(_))
             | Problem::VolumeFile(VolumeError::TooLarge(_))
             | Problem::Raster(RasterError::TooLarge(_)) => true,
@@ -186,6 +246,14 @@ impl InvalidField {
             | Problem::BesideFile
             | Problem::Volume(_)
             | Problem::VolumeFile(_)
+            | Problem::Exponent(_)
+            | Problem::Slope(_)
+            | Problem::Signal(_)
+            | Problem::Axes { .. }
+            | Problem::NoCurvature
+            | Problem::Derivative { .. }
+            | Problem::SampleTwice
+            | Problem::EmptyRange
             | Problem::Raster(_) => false,
         }
     }
@@ -199,6 +267,7 @@ impl Display for InvalidField {
                 Step::Field(name) => write!(f, ".{name}")?,
                 Step::Item(index) => write!(f, "[{index}]")?,
                 Step::Key(number) => write!(f, ".{number}")?,
+                Step::Name(name) => write!(f, "[{:?}]", name.chars().take(40).collect::<String>())?,
             }
         }
         let separator = match &self.problem {
@@ -356,5 +425,18 @@ pub struct Exact(pub Rational);
 impl Serialize for Exact {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&text::exact_text(&self.0))
+    }
+}
+
+/// A real number as it leaves that is given by decimal strings around it.
+#[derive(Serialize)]
+pub struct EnclosureOut {
+    lo: String,
+    hi: String,
+}
+
+impl From<DecimalEnclosure> for EnclosureOut {
+    fn from(DecimalEnclosure { lo, hi }: DecimalEnclosure) -> EnclosureOut {
+        EnclosureOut { lo, hi }
     }
 }

@@ -39,7 +39,7 @@
 use super::bernstein::{Bernstein, Extent, Part, Region};
 use super::cube::{Corner, Edge, Face};
 use super::topology::SurfaceComponent;
-use super::trivariate::Trivariate;
+use crate::number::Trivariate;
 use crate::number::{Rational, Sign};
 use crate::partition::Partition;
 use std::collections::{BTreeMap, HashMap};

@@ -5,7 +5,7 @@
 //! same face of the array, and the derivative along an axis has, up to n/width > 0, their differences.
 
 use super::cube::Corner;
-use super::trivariate::Trivariate;
+use crate::number::Trivariate;
 use crate::number::{Integer, Rational, Sign};
 
 /// A box with corners of rational coordinates, low < high along each axis.

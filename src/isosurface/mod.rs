@@ -26,6 +26,5 @@ pub mod table;
 pub mod tetrahedra;
 pub mod topology;
 pub mod triangle;
-pub mod trivariate;
 pub mod volume;
 pub mod witness;

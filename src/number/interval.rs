@@ -93,6 +93,12 @@ impl Interval {
         }
     }
 
+    /// Around every eˣ with x in the interval.
+    pub fn exp(&self) -> Interval {
+        let p = self.precision();
+        Interval { lo: rounded(p, self.lo.exp_ref(), Round::Down), hi: rounded(p, self.hi.exp_ref(), Round::Up) }
+    }
+
     /// The narrowest interval of that precision around π.
     pub fn pi(precision: u32) -> Interval {
         outward(precision, |p, round| rounded(p, Constant::Pi, round))

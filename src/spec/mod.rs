@@ -18,6 +18,8 @@ pub const CHAPTERS: &[(&str, &str)] = &[
     ("isosurface.md", include_str!("../../spec/isosurface.md")),
     ("mesh.md", include_str!("../../spec/mesh.md")),
     ("complex.md", include_str!("../../spec/complex.md")),
+    ("curvature.md", include_str!("../../spec/curvature.md")),
+    ("spline.md", include_str!("../../spec/spline.md")),
 ];
 
 /// What checking a formula has shown.

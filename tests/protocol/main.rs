@@ -64,7 +64,16 @@ fn hello_names_the_oracle_and_its_operations() {
         "isosurface.mesh",
         "isosurface.polyline",
         "isosurface.tetrahedra",
+        "spline.coefficients",
+        "spline.evaluate",
+        "spline.impulse",
         "trilinear.evaluate",
+        "curvature.implicit_curve",
+        "curvature.implicit_surface",
+        "curvature.parametric_curve",
+        "curvature.parametric_surface",
+        "curvature.spline",
+        "curvature.normalize",
         "mesh.check",
         "mesh.plane",
         "mesh.angle_deficits",
@@ -79,8 +88,8 @@ fn hello_names_the_oracle_and_its_operations() {
 
 #[test]
 fn what_is_not_supported_is_no_error() {
-    let unknown = question("spline.evaluate", "{}");
-    assert_eq!(unknown, json!({"id": 7, "unsupported": "no operation \"spline.evaluate\"; `hello` lists them"}));
+    let unknown = question("solid.evaluate", "{}");
+    assert_eq!(unknown, json!({"id": 7, "unsupported": "no operation \"solid.evaluate\"; `hello` lists them"}));
     assert!(question("hello", r#"{"protocol":2}"#)["unsupported"].is_string());
 }
 

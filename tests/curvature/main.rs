@@ -1,0 +1,10 @@
+//! Curvature: each entry of spec/curvature.md against a second derivation.
+
+mod ground;
+
+use isoracle::number::Rational;
+
+/// n/d.
+fn q(n: i64, d: i64) -> Rational {
+    Rational::from((n, d))
+}
