@@ -217,7 +217,6 @@ impl InvalidField {
             | Problem::LargeExponent { .. }
             | Problem::LongSignal { .. }
             | Problem::Far { .. }
-            | Problem::Signal(SignalError::TooLarge)
             | Problem::Volume(VolumeError::TooLarge(_))
             | Problem::VolumeFile(VolumeError::TooLarge(_))
             | Problem::Raster(RasterError::TooLarge(_)) => true,

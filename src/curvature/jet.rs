@@ -64,6 +64,18 @@ impl<const N: usize> Jet<Rational, N> {
 }
 
 impl<K: Ring, const N: usize> Jet<K, N> {
+    /// Leibniz' rule, once and twice.
+    fn product(&self, other: &Jet<K, N>) -> Jet<K, N> {
+        let (Jet { value: f, gradient: df, hessian: ddf }, Jet { value: g, gradient: dg, hessian: ddg }) =
+            (self, other);
+        let times = |a: &K, b: &K| a.clone() * b;
+        let second = |i: usize, j: usize| {
+            let mixed = times(&df[i], &dg[j]) + &times(&df[j], &dg[i]);
+            times(f, &ddg.0[i][j]) + &mixed + &times(g, &ddf.0[i][j])
+        };
+        Jet { value: times(f, g), gradient: dg.scaled(f) + &df.scaled(g), hessian: Matrix::from_fn(second) }
+    }
+
     /// The jet with these entries, each from the same entry of two.
     fn entrywise(&self, other: &Jet<K, N>, combine: impl Fn(K, &K) -> K) -> Jet<K, N> {
         let entry = |a: &K, b: &K| combine(a.clone(), b);
@@ -92,14 +104,7 @@ impl<K: Ring, const N: usize> Sub<&Jet<K, N>> for Jet<K, N> {
 impl<K: Ring, const N: usize> Mul<&Jet<K, N>> for Jet<K, N> {
     type Output = Jet<K, N>;
     fn mul(self, other: &Jet<K, N>) -> Jet<K, N> {
-        let (Jet { value: f, gradient: df, hessian: ddf }, Jet { value: g, gradient: dg, hessian: ddg }) =
-            (&self, other);
-        let times = |a: &K, b: &K| a.clone() * b;
-        let second = |i: usize, j: usize| {
-            let mixed = times(&df[i], &dg[j]) + &times(&df[j], &dg[i]);
-            times(f, &ddg.0[i][j]) + &mixed + &times(g, &ddf.0[i][j])
-        };
-        Jet { value: times(f, g), gradient: dg.scaled(f) + &df.scaled(g), hessian: Matrix::from_fn(second) }
+        self.product(other)
     }
 }
 

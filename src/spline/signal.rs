@@ -41,8 +41,8 @@ pub enum SignalError {
         /// How many there are.
         n: usize,
     },
-    /// More samples than can be addressed.
-    #[error("shape: more samples than can be counted")]
+    /// The shape asks for more samples than can be addressed.
+    #[error("values: the shape needs more samples than can be counted")]
     TooLarge,
     /// The shape asks for another number of samples.
     #[error("values: the shape needs {expected} samples, found {found}")]
