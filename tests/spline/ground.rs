@@ -47,10 +47,7 @@ mod sp_1 {
         let [up, down] = [Rational::from(&t + &s), Rational::from(&t - &s)].map(|t| weights(&t, 0));
         for i in 0..4 {
             let (middle, first, second) = (&weights(&t, 0)[i], &weights(&t, 1)[i], &weights(&t, 2)[i]);
-            assert_eq!(
-                Rational::from(&up[i] + &down[i]) - Rational::from(middle * 2),
-                Rational::from(second * s.clone().square())
-            );
+            assert_eq!(Rational::from(&up[i] + &down[i]) - Rational::from(middle * 2), second * s.clone().square());
             let third = [q(-1, 1), q(3, 1), q(-3, 1), q(1, 1)][i].clone();
             let odd = Rational::from(first * &s) * 2 + third * s.clone().square() * &s / 3;
             assert_eq!(Rational::from(&up[i] - &down[i]), odd);
