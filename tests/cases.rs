@@ -137,17 +137,15 @@ fn integer(value: &Value) -> u64 {
     value.as_u64().unwrap_or_else(|| panic!("{value} is a count"))
 }
 
-/// Asks every question of a file at once, and compares every answer; `counts` are the questions by operation.
-fn all_conform(file: &str, counts: &[(&str, usize)]) {
-    conform(file, |_| true, counts);
-}
-
-/// The same for those questions of a file that ask one of some operations.
-fn conform(file: &str, is_asked: impl Fn(&str) -> bool, counts: &[(&str, usize)]) {
+/// The cases of a file.
+fn cases(file: &str) -> Vec<Value> {
     let path = format!("{}/tests/cases/{file}", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).expect("the cases are in the repository");
-    let cases = text.lines().map(|line| serde_json::from_str::<Value>(line).expect("a case is JSON"));
-    let cases: Vec<Value> = cases.filter(|case| case["op"].as_str().is_some_and(&is_asked)).collect();
+    text.lines().map(|line| serde_json::from_str(line).expect("a case is JSON")).collect()
+}
+
+/// The answers to the questions of some cases, all asked at once.
+fn answers(cases: &[Value]) -> Vec<Value> {
     let questions: String = cases
         .iter()
         .map(|case| format!("{}\n", json!({"id": case["case"], "op": case["op"], "in": case["in"]})))
@@ -156,15 +154,25 @@ fn conform(file: &str, is_asked: impl Fn(&str) -> bool, counts: &[(&str, usize)]
     serve(questions.as_bytes(), &mut answers).expect("memory can be read and written");
     let answers = String::from_utf8(answers).expect("answers are UTF-8");
     assert_eq!(answers.lines().count(), cases.len());
+    answers.lines().map(|line| serde_json::from_str(line).expect("an answer is JSON")).collect()
+}
+
+/// Asks every question of a file, and compares every answer; `counts` are the questions by operation.
+fn all_conform(file: &str, counts: &[(&str, usize)]) {
+    conform(file, |_| true, counts);
+}
+
+/// The same for those questions of a file that ask one of some operations.
+fn conform(file: &str, is_asked: impl Fn(&str) -> bool, counts: &[(&str, usize)]) {
+    let cases: Vec<Value> = cases(file).into_iter().filter(|case| case["op"].as_str().is_some_and(&is_asked)).collect();
     let mut asked = BTreeMap::new();
-    for (case, line) in cases.iter().zip(answers.lines()) {
-        let answer: Value = serde_json::from_str(line).expect("an answer is JSON");
+    for (case, answer) in cases.iter().zip(answers(&cases)) {
         let op = case["op"].as_str().expect("a case names its operation");
         assert_eq!(answer["id"], case["case"]);
-        assert!(answer["out"].is_object(), "{line}");
+        assert!(answer["out"].is_object(), "{answer}");
         match op.split('.').next() {
             Some("curvature" | "spline" | "trilinear") => {
-                assert!(says(&answer["out"], &case["out"]), "{}: {line}", case["case"]);
+                assert!(says(&answer["out"], &case["out"]), "{}: {answer}", case["case"]);
             }
             _ => assert_eq!(canonical(op, &answer["out"]), canonical(op, &case["out"]), "{}", case["case"]),
         }
@@ -210,12 +218,32 @@ fn curvatures_conform() {
         ("curvature.spline", 2),
     ];
     all_conform("curvature.jsonl", &counts);
+    let counts = [
+        ("curvature.implicit_curve", 45),
+        ("curvature.implicit_surface", 99),
+        ("curvature.normalize", 27),
+        ("curvature.parametric_curve", 42),
+        ("curvature.parametric_surface", 45),
+        ("curvature.spline", 55),
+    ];
+    all_conform("curvature_derived.jsonl", &counts);
 }
 
 #[test]
 fn splines_conform() {
     let counts = [("spline.coefficients", 6), ("spline.evaluate", 6), ("spline.impulse", 1), ("trilinear.evaluate", 2)];
     all_conform("spline.jsonl", &counts);
+    let counts = [("spline.coefficients", 89), ("spline.evaluate", 114), ("spline.impulse", 40)];
+    all_conform("spline_derived.jsonl", &counts);
+}
+
+#[test]
+fn broken_questions_are_refused_for_what_they_are() {
+    let cases = cases("curvature_spline_errors.jsonl");
+    assert_eq!(cases.len(), 321);
+    for (case, answer) in cases.iter().zip(answers(&cases)) {
+        assert_eq!(answer["error"]["kind"], case["kind"], "{}: {answer}", case["case"]);
+    }
 }
 
 #[test]
