@@ -20,6 +20,7 @@
 
 mod flat;
 pub mod gltf;
+mod grid;
 pub mod msh;
 pub mod npy;
 pub mod nrrd;
@@ -27,12 +28,14 @@ pub mod obj;
 pub mod off;
 pub mod ply;
 mod ply_binary;
+pub mod ply_painted;
 pub mod scheme;
 pub mod snappea;
 pub mod stl;
 pub mod vtu;
 
 pub use flat::FlatMesh;
+pub use grid::{GridRecord, read_grid, write_grid};
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -233,6 +236,24 @@ pub enum Problem {
         field: &'static str,
         /// The sizes.
         sizes: Vec<usize>,
+    },
+    /// The sizes are not those of a grid.
+    #[error("{field}: expected one to three axes, found {sizes:?}")]
+    NotAGrid {
+        /// The field.
+        field: &'static str,
+        /// The sizes.
+        sizes: Vec<usize>,
+    },
+    /// Another number of items than there should be.
+    #[error("{field}: expected {expected}, found {found}")]
+    WrongCount {
+        /// What there are items of.
+        field: &'static str,
+        /// How many there should be.
+        expected: usize,
+        /// How many there are.
+        found: usize,
     },
     /// More samples than the limit allows (or than there are addresses).
     #[error("{field}: {sizes:?} is more than the limit of {limit} samples")]

@@ -3,8 +3,8 @@
 //! The first index of the array is x, so a C-ordered array (x slowest) is transposed to x fastest, and a
 //! Fortran-ordered one is not.
 
-use super::{Limits, Problem, Samples, VolumeRecord, excerpt, reserved, sample_count, with_samples};
-use ndarray::{ArrayView3, ShapeBuilder};
+use super::{GridRecord, Limits, Problem, Samples, VolumeRecord, excerpt, reserved, sample_count, with_samples};
+use ndarray::{ArrayView, IxDyn, ShapeBuilder};
 use ndarray_npy::npy::header::{Header, Layout};
 use ndarray_npy::{ReadDataError, ReadableElement, WritableElement, WriteNpyError, WriteNpyExt};
 use std::io::{self, Cursor, Read, Write};
@@ -18,10 +18,23 @@ pub fn read(mut reader: impl Read, limits: &Limits) -> Result<VolumeRecord, Prob
     let [nx, ny, nz] = header.shape[..] else {
         return Err(Problem::NotThreeAxes { field: "shape", sizes: header.shape });
     };
-    let shape = [nx, ny, nz];
-    let array = Array { count: sample_count("shape", &shape, limits)?, shape, header };
+    Ok(VolumeRecord { shape: [nx, ny, nz], samples: samples(reader, header, limits)? })
+}
+
+/// Reads an array of one to three axes; errors as [`read`].
+pub fn read_grid(mut reader: impl Read, limits: &Limits) -> Result<GridRecord, Problem> {
+    let header = header(&mut reader)?;
+    if !(1..=3).contains(&header.shape.len()) {
+        return Err(Problem::NotAGrid { field: "shape", sizes: header.shape });
+    }
+    let shape = header.shape.clone();
+    Ok(GridRecord { shape, samples: samples(reader, header, limits)? })
+}
+
+fn samples(reader: impl Read, header: Header, limits: &Limits) -> Result<Samples, Problem> {
+    let array = Array { count: sample_count("shape", &header.shape, limits)?, header };
     let descr = array.header.type_descriptor.as_string().map_or("", String::as_str);
-    let samples = match descr.trim_start_matches(['<', '>', '|', '=']) {
+    Ok(match descr.trim_start_matches(['<', '>', '|', '=']) {
         "u1" | "B" => Samples::U8(array.values(reader)?),
         "i1" | "b" => Samples::I8(array.values(reader)?),
         "u2" => Samples::U16(array.values(reader)?),
@@ -34,19 +47,23 @@ pub fn read(mut reader: impl Read, limits: &Limits) -> Result<VolumeRecord, Prob
         "f8" => Samples::F64(array.values(reader)?),
         "b1" => Samples::U8(array.values::<bool>(reader)?.into_iter().map(u8::from).collect()),
         _ => return Err(unknown_type(array.header.type_descriptor.to_string())),
-    };
-    Ok(VolumeRecord { shape, samples })
+    })
 }
 
 /// Writes the samples as they are, in Fortran order.
 pub fn write(mut writer: impl Write, volume: &VolumeRecord) -> Result<(), Problem> {
     volume.has_its_shape()?;
-    with_samples!(&volume.samples, values => write_values(&mut writer, volume.shape, values))
+    with_samples!(&volume.samples, values => write_values(&mut writer, &volume.shape, values))
+}
+
+/// Writes the samples as they are, in Fortran order.
+pub fn write_grid(mut writer: impl Write, grid: &GridRecord) -> Result<(), Problem> {
+    grid.has_its_shape()?;
+    with_samples!(&grid.samples, values => write_values(&mut writer, &grid.shape, values))
 }
 
 struct Array {
     header: Header,
-    shape: [usize; 3],
     count: usize,
 }
 
@@ -54,7 +71,7 @@ impl Array {
     /// The elements, x fastest.
     fn values<T: ReadableElement + Copy>(&self, reader: impl Read) -> Result<Vec<T>, Problem> {
         // The library allocates everything at once and aborts if it cannot: ask first.
-        drop(reserved::<T>("shape", &self.shape, self.count)?);
+        drop(reserved::<T>("shape", &self.header.shape, self.count)?);
         let expected = (self.count * size_of::<T>()) as u64;
         let mut counted = Counted { reader: reader.take(expected.saturating_add(1)), bytes: 0 };
         let stored = T::read_to_end_exact_vec(&mut counted, &self.header.type_descriptor, self.count)
@@ -62,7 +79,8 @@ impl Array {
         match self.header.layout {
             Layout::Fortran => Ok(stored),
             Layout::Standard => {
-                let array = ArrayView3::from_shape(self.shape, &stored).expect("as many elements as the shape says");
+                let shape = IxDyn(&self.header.shape);
+                let array = ArrayView::from_shape(shape, &stored).expect("as many elements as the shape says");
                 Ok(array.reversed_axes().iter().copied().collect())
             }
         }
@@ -93,8 +111,8 @@ fn data_problem(error: ReadDataError, expected: u64, found: u64) -> Problem {
     }
 }
 
-fn write_values<T: WritableElement>(writer: impl Write, shape: [usize; 3], values: &[T]) -> Result<(), Problem> {
-    let array = ArrayView3::from_shape(shape.f(), values).expect("as many samples as the shape says");
+fn write_values<T: WritableElement>(writer: impl Write, shape: &[usize], values: &[T]) -> Result<(), Problem> {
+    let array = ArrayView::from_shape(IxDyn(shape).f(), values).expect("as many samples as the shape says");
     array.write_npy(writer).map_err(|error| match error {
         WriteNpyError::Io(error) => Problem::Io(error),
         WriteNpyError::FormatHeader(error) => Problem::Library { field: "header", source: Box::new(error) },

@@ -128,7 +128,7 @@ pub fn write(mut writer: impl Write, mesh: &MeshRecord, encoding: Encoding) -> R
     Ok(writer.flush()?)
 }
 
-fn element<const N: usize>(name: &str, count: usize, properties: [(&str, PropertyType); N]) -> ElementDef {
+pub(super) fn element<const N: usize>(name: &str, count: usize, properties: [(&str, PropertyType); N]) -> ElementDef {
     let mut element = ElementDef::new(name.to_owned());
     element.count = count;
     for (name, data_type) in properties {
@@ -398,7 +398,7 @@ fn indices<T: Copy + TryInto<u32> + Into<i64>>(list: Vec<T>) -> Result<Vec<u32>,
 }
 
 /// A face to be written.
-struct FaceRow<'a>(&'a [u32]);
+pub(super) struct FaceRow<'a>(pub &'a [u32]);
 
 impl PropertyAccess for FaceRow<'_> {
     fn new() -> Self {

@@ -8,8 +8,8 @@ use isoracle::format::{
 };
 
 mod any;
+mod grid;
 mod mesh;
-
 mod off_;
 mod snappea;
 mod volume;
