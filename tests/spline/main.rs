@@ -1,5 +1,6 @@
 //! Cubic splines: each entry of spec/spline.md against a second derivation.
 
+mod fast;
 mod ground;
 
 use isoracle::number::Rational;

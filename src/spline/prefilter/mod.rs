@@ -1,5 +1,7 @@
 //! Interpolation: the coefficients c with (c[k−1] + 4c[k] + c[k+1])/6 = g[k] at every sample.
 
+pub mod fast;
+
 use super::signal::{Boundary, Signal};
 use super::tensor::Spline;
 use crate::number::{Integer, Rational};

@@ -1,0 +1,163 @@
+//! Single coefficients of a volume, exactly: integers over a known denominator.
+
+use super::Sample;
+use crate::number::{Integer, Rational};
+use crate::spline::signal::Boundary;
+
+/// How many numbers of an intermediate plane are held at once.
+const HELD: usize = 1 << 19;
+
+/// Coefficients p/D·2^q.
+pub(super) struct Exact {
+    /// p, one for each coefficient that was asked for.
+    pub(super) numerators: Vec<Integer>,
+    /// D > 0.
+    pub(super) denominator: Integer,
+    /// q.
+    pub(super) exponent: i32,
+}
+
+impl Exact {
+    pub(super) fn rational(&self, i: usize) -> Rational {
+        let x = Rational::from((self.numerators[i].clone(), self.denominator.clone()));
+        if self.exponent < 0 { x >> self.exponent.unsigned_abs() } else { x << self.exponent.unsigned_abs() }
+    }
+}
+
+/// The coefficients at these places, which ascend. SP-303.
+#[doc(alias = "SP-303")]
+pub(super) fn coefficients<T: Sample>(samples: &[T], shape: &[usize], boundary: Boundary, wanted: &[usize]) -> Exact {
+    let exponent = samples.iter().map(|g| dyadic(g.value())).filter(|(m, _)| *m != 0).map(|(_, q)| q).min().unwrap_or(0);
+    let sample = |i: usize| {
+        let (m, q) = dyadic(samples[i].value());
+        if m == 0 { Integer::new() } else { Integer::from(m) << (q - exponent).unsigned_abs() }
+    };
+    let lines: Vec<ExactLine> = shape.iter().map(|&n| ExactLine::new(n, boundary)).collect();
+    let numerators = solve(&sample, &lines, wanted);
+    let denominator = lines.iter().fold(Integer::from(1), |product, line| product * &line.denominator);
+    Exact { numerators, denominator, exponent }
+}
+
+/// The last axis first, and of it the wanted planes alone.
+fn solve(g: &dyn Fn(usize) -> Integer, lines: &[ExactLine], wanted: &[usize]) -> Vec<Integer> {
+    let (line, rest) = lines.split_last().expect("there is an axis");
+    let stride: usize = rest.iter().map(|line| line.n).product();
+    let mut planes: Vec<usize> = wanted.iter().map(|i| i / stride).collect();
+    planes.dedup();
+    let mut found = Vec::with_capacity(wanted.len());
+    let mut wanted = wanted;
+    for chunk in planes.chunks((HELD / stride).max(1)) {
+        // In plane after plane, as the numbers of `wanted` are.
+        let mut held = vec![Integer::new(); chunk.len() * stride];
+        for i in 0..stride {
+            let column: Vec<Integer> = (0..line.n).map(|k| g(i + k * stride)).collect();
+            line.solve(&column, chunk, |place, c| held[place * stride + i] = c);
+        }
+        for (plane, k) in held.chunks(stride).zip(chunk) {
+            let count = wanted.iter().take_while(|&&i| i / stride == *k).count();
+            let (here, later) = wanted.split_at(count);
+            wanted = later;
+            if rest.is_empty() {
+                found.push(plane[0].clone());
+            } else {
+                let here: Vec<usize> = here.iter().map(|i| i % stride).collect();
+                found.extend(solve(&|i| plane[i].clone(), rest, &here));
+            }
+        }
+    }
+    found
+}
+
+/// A line of n samples: D and the first row of D·6·[1 4 1]⁻¹. SP-303.
+struct ExactLine {
+    n: usize,
+    boundary: Boundary,
+    denominator: Integer,
+    /// The first two of a sequence with v[j+1] = −4v[j] − v[j−1].
+    row: [Integer; 2],
+}
+
+impl ExactLine {
+    fn new(n: usize, boundary: Boundary) -> ExactLine {
+        match boundary {
+            // v[j] = (−1)^j T[n−1−j](2), D = U[n−2](2)
+            Boundary::Mirror => {
+                let (mut t, mut u) = ([Integer::from(1), Integer::from(2)], [Integer::new(), Integer::from(1)]);
+                for _ in 0..n - 2 {
+                    t = stepped(t, 4);
+                    u = stepped(u, 4);
+                }
+                let ([before, t], [_, u]) = (t, u);
+                ExactLine { n, boundary, denominator: u, row: [t, -before] }
+            }
+            // a[0] = 0, a[1] = 1, a[j+1] = −4a[j] − a[j−1]; v[j] = 3(a[j] + a[n−j]), D = 2a[n] + a[n−1] + 1, of either sign
+            Boundary::Periodic => {
+                let mut a = [Integer::new(), Integer::from(1)];
+                for _ in 0..n - 1 {
+                    a = stepped(a, -4);
+                }
+                let [before, a] = a;
+                let denominator = Integer::from(&a * 2_u32) + &before + 1_u32;
+                let sign = if denominator < 0 { -3 } else { 3 };
+                ExactLine { n, boundary, denominator: denominator.abs(), row: [a * sign, (before + 1_u32) * sign] }
+            }
+        }
+    }
+
+    /// D·c[k] for the k in `wanted`, which ascend, with their places there.
+    ///
+    /// D·c[0] is a row of the inverse, and c[k+1] = 6g[k] − 4c[k] − c[k−1] gives all others, without a division.
+    fn solve(&self, g: &[Integer], wanted: &[usize], mut found: impl FnMut(usize, Integer)) {
+        if g.iter().all(Integer::is_zero) {
+            return;
+        }
+        let six_d = Integer::from(&self.denominator * 6_u32);
+        let (mut first, mut second) = (Integer::new(), Integer::new());
+        let mut row = self.row.clone();
+        for j in 0..self.n {
+            match self.boundary {
+                Boundary::Mirror if j == 0 || j == self.n - 1 => first += &row[0] * &g[j],
+                Boundary::Mirror => first += Integer::from(&row[0] * &g[j]) << 1_u32,
+                Boundary::Periodic => {
+                    first += &row[0] * &g[j];
+                    // The row of c[1] is that of c[0], one further on.
+                    second += &row[0] * &g[(j + 1) % self.n];
+                }
+            }
+            row = stepped(row, -4);
+        }
+        if self.boundary == Boundary::Mirror {
+            second = (Integer::from(&six_d * &g[0]) >> 1_u32) - Integer::from(&first << 1_u32);
+        }
+        let mut c = [first, second];
+        let mut places = wanted.iter().enumerate().peekable();
+        for k in 0..self.n {
+            if let Some((place, _)) = places.next_if(|(_, w)| **w == k) {
+                found(place, c[0].clone());
+            }
+            let [before, at] = c;
+            let mut next = Integer::from(&six_d * &g[(k + 1) % self.n]) - before;
+            next -= Integer::from(&at << 2_u32);
+            c = [at, next];
+        }
+    }
+}
+
+/// (x, y) ↦ (y, f·y − x).
+fn stepped([x, y]: [Integer; 2], f: i32) -> [Integer; 2] {
+    let next = Integer::from(&y * f) - x;
+    [y, next]
+}
+
+/// x = m·2^q, m odd or 0.
+fn dyadic(x: f64) -> (i64, i32) {
+    let bits = x.to_bits();
+    let (field, fraction) = ((bits >> 52 & 0x7FF) as i32, (bits & ((1 << 52) - 1)) as i64);
+    let (m, q) = if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
+    if m == 0 {
+        return (0, 0);
+    }
+    let zeros = m.trailing_zeros();
+    let m = m >> zeros;
+    (if x < 0.0 { -m } else { m }, q + zeros as i32)
+}
