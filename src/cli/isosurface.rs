@@ -1,10 +1,10 @@
 //! `isoracle isosurface`.
 
 use super::{input, progress};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use isoracle::answer::mesh::record;
 use isoracle::format::{self, FormatError};
-use isoracle::isosurface::cell;
+use isoracle::isosurface::cell::Tie;
 use isoracle::isosurface::fast::{self, Mismatch};
 use isoracle::isosurface::volume::{DegenerateCell, Level};
 use isoracle::number::Rational;
@@ -35,18 +35,13 @@ pub struct Isosurface {
     audit: u64,
     /// What to do where c is a critical value: `below` takes c − ε for every small enough ε > 0 instead.
     #[arg(long, value_name = "HOW")]
-    tie: Option<Tie>,
+    tie: Option<input::TieRule>,
 }
 
 const AFTER_HELP: &str = "\
 Examples:
   $ isoracle isosurface --volume head.nrrd --isovalue 60.5 --out head.ply
   $ isoracle isosurface --volume head.nrrd --isovalue 60 --tie below --out head.stl";
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Tie {
-    Below,
-}
 
 #[derive(Debug, Error, Diagnostic)]
 enum Failure {
@@ -68,7 +63,7 @@ impl Isosurface {
         let spinner = progress::spinner(format!("reading {}", self.volume.display()));
         let volume = input::volume(&self.volume)?;
         tracing::info!(shape = ?volume.shape(), "read {}", self.volume.display());
-        let tie = self.tie.map_or(cell::Tie::Degenerate, |Tie::Below| cell::Tie::Below);
+        let tie = self.tie.map_or(Tie::Degenerate, Tie::from);
         let level = Level { volume: &volume, isovalue: self.isovalue, tie };
         let cells: usize = volume.shape().iter().map(|n| n - 1).product();
         spinner.set_message(format!("meshing {cells} cells"));

@@ -9,12 +9,17 @@ mod check;
 mod check_mesh;
 mod complex;
 mod complex_page;
+mod curvature;
+mod curvature_map;
 mod demo;
 mod input;
+mod interpolant;
 mod isosurface;
 mod judge;
+mod points;
 mod progress;
 mod spec;
+mod spline;
 
 use clap::{ArgAction, Parser, Subcommand};
 use miette::IntoDiagnostic;
@@ -43,10 +48,12 @@ enum Command {
     Candidate(candidate::Candidate),
     Check(check::Check),
     Complex(complex::Complex),
+    Curvature(curvature::Curvature),
     Demo(demo::Demo),
     Isosurface(isosurface::Isosurface),
     Judge(judge::Judge),
     Spec(spec::Spec),
+    Spline(spline::SplineCommand),
 }
 
 const UNUSABLE: u8 = 2;
@@ -60,10 +67,12 @@ pub fn main() -> ExitCode {
         Command::Candidate(candidate) => candidate.run(),
         Command::Check(check) => check.run(),
         Command::Complex(complex) => complex.run(),
+        Command::Curvature(curvature) => curvature.run(),
         Command::Demo(demo) => demo.run(),
         Command::Isosurface(isosurface) => isosurface.run(),
         Command::Judge(judge) => judge.run(),
         Command::Spec(spec) => spec.run(),
+        Command::Spline(spline) => spline.run(),
     };
     match outcome {
         Ok(code) => code,

@@ -2,6 +2,7 @@
 
 use super::cell::{self, Decisions, Degenerate, Tie};
 use super::cube::{Corner, Edge};
+use crate::number::binary::exact_f64;
 use crate::number::{Integer, Rational, Sign};
 use thiserror::Error;
 
@@ -112,6 +113,15 @@ impl Volume {
             Samples::Integers(values) => Rational::from(values[index]),
             Samples::Floats(values) => Rational::from_f64(values[index]).expect("samples are finite"),
             Samples::Rationals(values) => values[index].clone(),
+        }
+    }
+
+    /// The samples as binary64 numbers, x fastest; `None` where one is no such number.
+    pub fn binary64s(&self) -> Option<Vec<f64>> {
+        match &self.samples {
+            Samples::Integers(values) => Some(values.iter().map(|&value| f64::from(value)).collect()),
+            Samples::Floats(values) => Some(values.clone()),
+            Samples::Rationals(values) => values.iter().map(exact_f64).collect(),
         }
     }
 

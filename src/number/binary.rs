@@ -27,6 +27,11 @@ pub fn nearest_f64(x: &Rational) -> f64 {
     if x.cmp0() == Ordering::Less { -magnitude } else { magnitude }
 }
 
+/// x as a binary64; `None` where it is none. A zero is +0.
+pub fn exact_f64(x: &Rational) -> Option<f64> {
+    Some(nearest_f64(x)).filter(|y| Rational::from_f64(*y).as_ref() == Some(x))
+}
+
 /// The binary32 nearest to x, as [`nearest_f64`], rounded once: not by way of binary64. NU-4.
 pub fn nearest_f32(x: &Rational) -> f32 {
     let bits = u32::try_from(BINARY32.nearest(x)).expect("a binary32 has 32 bits");

@@ -57,7 +57,8 @@ mod sp_304 {
             for i in 2..6 {
                 for j in 2..6 {
                     for k in 2..5 {
-                        let g: Vec<f64> = (0..i * j * k).map(|_| word(&mut seed) as i32 as f64 * 2_f64.powi(-31)).collect();
+                        let g: Vec<f64> =
+                            (0..i * j * k).map(|_| word(&mut seed) as i32 as f64 * 2_f64.powi(-31)).collect();
                         assert_rounded(&g, [i, j, k], boundary);
                     }
                     let g: Vec<f32> = (0..i * j).map(|_| word(&mut seed) as i32 as f32).collect();

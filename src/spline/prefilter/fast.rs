@@ -157,9 +157,7 @@ impl<'a, T: Sample, const N: usize> Enclosed<'a, T, N> {
             run(arch, Solve { block: &mut block, line: &line });
             let width = block.width();
             if axis == 0 {
-                for (from, to) in
-                    [(&block.hi, &mut self.hi), (&block.lo, &mut self.lo), (&block.err, &mut self.err)]
-                {
+                for (from, to) in [(&block.hi, &mut self.hi), (&block.lo, &mut self.lo), (&block.err, &mut self.err)] {
                     for lane in 0..lines {
                         let line = &mut to[base + lane * n..][..n];
                         for (x, row) in line.iter_mut().zip(from.chunks_exact(width)) {
@@ -190,7 +188,8 @@ impl<'a, T: Sample, const N: usize> Enclosed<'a, T, N> {
         for first in (0..self.hi.len()).step_by(PART) {
             let part = first..(first + PART).min(self.hi.len());
             let (hi, lo, err) = (&self.hi[part.clone()], &self.lo[part.clone()], &self.err[part.clone()]);
-            let doubts = hi.iter().zip(lo).zip(err).fold(0_u32, |n, ((h, l), e)| n + u32::from(!scale.decides(*h, *l, *e)));
+            let doubts =
+                hi.iter().zip(lo).zip(err).fold(0_u32, |n, ((h, l), e)| n + u32::from(!scale.decides(*h, *l, *e)));
             if doubts != 0 {
                 doubtful.extend(part.clone().filter(|&i| !scale.decides(self.hi[i], self.lo[i], self.err[i])));
             }
@@ -228,7 +227,8 @@ impl<'a, T: Sample, const N: usize> Enclosed<'a, T, N> {
     fn enclosure(&self, i: usize) -> (Rational, Rational) {
         let finite = |x: f64| Rational::from_f64(x).expect("what the recursion makes is finite");
         let (middle, err) = (finite(self.hi[i]) + finite(self.lo[i]), finite(self.err[i]));
-        let unscaled = |x: Rational| if self.scale < 0 { x << self.scale.unsigned_abs() } else { x >> self.scale.unsigned_abs() };
+        let unscaled =
+            |x: Rational| if self.scale < 0 { x << self.scale.unsigned_abs() } else { x >> self.scale.unsigned_abs() };
         (unscaled(Rational::from(&middle - &err)), unscaled(middle + err))
     }
 }

@@ -54,9 +54,10 @@ impl<T: Sample, const N: usize> Enclosed<'_, T, N> {
         let answered = self.answered(points, &|jet| rounded_jet(jet, Interval::nearest), &|jet| {
             rounded_jet(jet, |x| Some(crate::number::binary::nearest_f64(x))).expect("a rational is rounded")
         });
-        let checked = answered.into_iter().enumerate().map(|(point, jet)| {
-            if is_finite(&jet) { Ok(jet) } else { Err(JetError::Overflow { point }) }
-        });
+        let checked = answered
+            .into_iter()
+            .enumerate()
+            .map(|(point, jet)| if is_finite(&jet) { Ok(jet) } else { Err(JetError::Overflow { point }) });
         checked.collect()
     }
 
@@ -123,9 +124,8 @@ struct Place<const N: usize> {
 impl<const N: usize> Place<N> {
     fn new<T: Sample>(volume: &Enclosed<'_, T, N>, x: &[Rational; N]) -> Place<N> {
         let split = x.each_ref().map(split);
-        let index = |axis: usize, m: usize| {
-            volume.boundary.index(&(Integer::from(&split[axis].0 + m) - 1), volume.shape[axis])
-        };
+        let index =
+            |axis: usize, m: usize| volume.boundary.index(&(Integer::from(&split[axis].0 + m) - 1), volume.shape[axis]);
         let indices: [[usize; 4]; N] = std::array::from_fn(|axis| std::array::from_fn(|m| index(axis, m)));
         let place = |m: usize| {
             (0..N).rev().fold(0, |sum, axis| sum * volume.shape[axis] + indices[axis][(m >> (2 * axis)) & 3])
@@ -151,17 +151,14 @@ impl<const N: usize> Place<N> {
 }
 
 /// All derivatives of order up to 2, each with the axes that it is along; the last axis, the slowest, is summed up first.
-fn contract<K: Ring>(
-    values: &[K],
-    weights: &[[[K; 4]; 3]],
-    axes: &mut Vec<usize>,
-    found: &mut dyn FnMut(&[usize], K),
-) {
+fn contract<K: Ring>(values: &[K], weights: &[[[K; 4]; 3]], axes: &mut Vec<usize>, found: &mut dyn FnMut(&[usize], K)) {
     let Some((last, rest)) = weights.split_last() else { return found(axes, values[0].clone()) };
     let quarter = values.len() / 4;
     for order in 0..=2 - axes.len() {
         let w = &last[order];
-        let sum = |i: usize| (1..4).fold(w[0].clone() * &values[i], |sum, m| sum + &(w[m].clone() * &values[i + m * quarter]));
+        let sum = |i: usize| {
+            (1..4).fold(w[0].clone() * &values[i], |sum, m| sum + &(w[m].clone() * &values[i + m * quarter]))
+        };
         let sums: Vec<K> = (0..quarter).map(sum).collect();
         let before = axes.len();
         axes.extend(std::iter::repeat_n(rest.len(), order));
