@@ -242,17 +242,18 @@ fn rounded<const N: usize>(jet: &Jet<Rational, N>) -> Jet<f64, N> {
 
 /// The level surfaces through points, every number correctly rounded.
 pub fn surfaces(volume: &Enclosed<'_, f64, 3>, points: &[[Rational; 3]]) -> Result<Vec<SurfacePoint>, Failure> {
-    let mut surfaces = Vec::with_capacity(points.len());
-    for (surface, jet) in volume.level_surfaces(points).into_iter().zip(volume.jets(points)) {
-        let jet = jet.map_err(Failure::Jet)?;
-        let curvatures = match surface {
-            Ok(LevelSurface64 { gaussian, mean, principal, .. }) => Some(Curvatures { gaussian, mean, principal }),
-            Err(JetError::Singular { .. }) => None,
-            Err(error @ JetError::Overflow { .. }) => return Err(Failure::Jet(error)),
-        };
-        surfaces.push(SurfacePoint { value: jet.value, gradient: jet.gradient.0, curvatures });
-    }
-    Ok(surfaces)
+    let point = |jet: Jet<f64, 3>, curvatures| SurfacePoint { value: jet.value, gradient: jet.gradient.0, curvatures };
+    let answers = volume.level_surfaces(points).into_iter().zip(points).map(|(surface, at)| match surface {
+        Ok(LevelSurface64 { jet, gaussian, mean, principal }) => {
+            Ok(point(jet, Some(Curvatures { gaussian, mean, principal })))
+        }
+        Err(JetError::Singular { .. }) => {
+            let mut jets = volume.jets(std::slice::from_ref(at));
+            jets.pop().expect("a jet a point").map(|jet| point(jet, None))
+        }
+        Err(error @ JetError::Overflow { .. }) => Err(error),
+    });
+    answers.collect::<Result<_, _>>().map_err(Failure::Jet)
 }
 
 /// The exact spline of a volume.
