@@ -11,7 +11,8 @@ use std::{env, fs};
 
 /// Seconds that this process has run for; those of the clock where the system does not say.
 fn cpu_seconds(since: Instant) -> f64 {
-    let nanoseconds = fs::read_to_string("/proc/self/schedstat").ok().and_then(|s| s.split(' ').next()?.parse::<f64>().ok());
+    let nanoseconds =
+        fs::read_to_string("/proc/self/schedstat").ok().and_then(|s| s.split(' ').next()?.parse::<f64>().ok());
     nanoseconds.map_or_else(|| since.elapsed().as_secs_f64(), |n| n * 1e-9)
 }
 

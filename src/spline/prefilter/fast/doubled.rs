@@ -44,6 +44,7 @@ impl Constant {
 }
 
 /// The constants of the elimination of one line of n samples. SP-301.
+#[doc(alias = "SP-301")]
 #[derive(Clone, Debug)]
 pub(super) struct Line {
     boundary: Boundary,
@@ -78,7 +79,8 @@ impl Line {
                 // Beyond 2²⁰ the power is 0 to the last bit anyway.
                 let exponent = u32::try_from(n.min(1 << 20)).expect("at most 2²⁰");
                 let power = rug::ops::Pow::pow(s.clone(), exponent);
-                let closing: Float = if n.is_multiple_of(2) { 1_u32 / (1_u32 - power) } else { 1_u32 / (power + 1_u32) };
+                let closing: Float =
+                    if n.is_multiple_of(2) { 1_u32 / (1_u32 - power) } else { 1_u32 / (power + 1_u32) };
                 let first = Constant::new(&(s.clone() * &closing));
                 Line { boundary, first, factors: vec![Constant::new(&s)], last: Constant::new(&closing) }
             }
@@ -94,7 +96,6 @@ impl Line {
 #[derive(Debug)]
 pub(super) struct Block {
     n: usize,
-    width: usize,
     pub(super) hi: Vec<f64>,
     pub(super) lo: Vec<f64>,
     pub(super) err: Vec<f64>,
@@ -103,11 +104,7 @@ pub(super) struct Block {
 impl Block {
     pub(super) fn new(n: usize, width: usize) -> Block {
         let zeros = || vec![0.0; n * width];
-        Block { n, width, hi: zeros(), lo: zeros(), err: zeros() }
-    }
-
-    pub(super) fn width(&self) -> usize {
-        self.width
+        Block { n, hi: zeros(), lo: zeros(), err: zeros() }
     }
 }
 
@@ -126,8 +123,7 @@ impl WithSimd for Scale<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let mut rows = Rows::<S>::new(simd, self.block);
-        let [p, q, gain, err] =
-            [self.powers[0], self.powers[1], self.gain, self.err].map(|x| simd.splat_f64s(x));
+        let [p, q, gain, err] = [self.powers[0], self.powers[1], self.gain, self.err].map(|x| simd.splat_f64s(x));
         for i in 0..rows.hi.len() {
             let scaled = simd.mul_f64s(simd.mul_f64s(rows.hi[i], p), q);
             let (hi, lo) = two_product(simd, gain, scaled);

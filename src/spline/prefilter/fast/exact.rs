@@ -27,7 +27,8 @@ impl Exact {
 /// The coefficients at these places, which ascend. SP-303.
 #[doc(alias = "SP-303")]
 pub(super) fn coefficients<T: Sample>(samples: &[T], shape: &[usize], boundary: Boundary, wanted: &[usize]) -> Exact {
-    let exponent = samples.iter().map(|g| dyadic(g.value())).filter(|(m, _)| *m != 0).map(|(_, q)| q).min().unwrap_or(0);
+    let exponent =
+        samples.iter().map(|g| dyadic(g.value())).filter(|(m, _)| *m != 0).map(|(_, q)| q).min().unwrap_or(0);
     let sample = |i: usize| {
         let (m, q) = dyadic(samples[i].value());
         if m == 0 { Integer::new() } else { Integer::from(m) << (q - exponent).unsigned_abs() }

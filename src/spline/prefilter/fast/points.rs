@@ -4,8 +4,10 @@ use super::{Enclosed, Sample, exact, rounding};
 use crate::curvature::implicit_surface::{curvature, gaussian_numerator, mean_numerator};
 use crate::curvature::jet::Jet;
 use crate::linear::{Matrix, Vector};
-use crate::number::{Integer, Interval, Rational, Ring, Sign, Surd};
+use crate::number::binary::nearest_f64;
+use crate::number::{Integer, Interval, Rational, Ring, Surd};
 use crate::spline::basis::{split, weights};
+use std::cmp::Ordering;
 use thiserror::Error;
 
 /// The precision of the first enclosures: that of doubled numbers and some more.
@@ -51,12 +53,13 @@ impl<T: Sample, const N: usize> Enclosed<'_, T, N> {
     /// `Overflow` for a point iff one of its numbers is not finite.
     #[doc(alias = "SP-305")]
     pub fn jets(&self, points: &[[Rational; N]]) -> Vec<Result<Jet<f64, N>, JetError>> {
-        let answered = self.answered(points, &|jet| rounded_jet(jet, Interval::nearest), &|jet| {
-            rounded_jet(jet, |x| Some(crate::number::binary::nearest_f64(x))).expect("a rational is rounded")
+        let answered = self.answered(points, &|jet| rounded_jet(jet, nearest), &|jet| {
+            rounded_jet(jet, |x| Some(nearest_f64(x))).expect("a rational is rounded")
         });
-        let checked = answered.into_iter().enumerate().map(|(point, jet)| {
-            if is_finite(&jet) { Ok(jet) } else { Err(JetError::Overflow { point }) }
-        });
+        let checked = answered
+            .into_iter()
+            .enumerate()
+            .map(|(point, jet)| if is_finite(&jet) { Ok(jet) } else { Err(JetError::Overflow { point }) });
         checked.collect()
     }
 
@@ -89,7 +92,7 @@ impl<T: Sample, const N: usize> Enclosed<'_, T, N> {
 
     fn enclosed_jet(&self, place: &Place<N>) -> Jet<Interval, N> {
         let coefficient = |&i: &usize| {
-            let (lo, hi) = self.enclosure(i);
+            let (lo, hi) = self.bounds(i);
             Interval::between(&lo, &hi, BITS).expect("in order")
         };
         place.jet(place.neighbours.iter().map(coefficient).collect(), |w| Interval::from_rational(w, BITS))
@@ -123,9 +126,8 @@ struct Place<const N: usize> {
 impl<const N: usize> Place<N> {
     fn new<T: Sample>(volume: &Enclosed<'_, T, N>, x: &[Rational; N]) -> Place<N> {
         let split = x.each_ref().map(split);
-        let index = |axis: usize, m: usize| {
-            volume.boundary.index(&(Integer::from(&split[axis].0 + m) - 1), volume.shape[axis])
-        };
+        let index =
+            |axis: usize, m: usize| volume.boundary.index(&(Integer::from(&split[axis].0 + m) - 1), volume.shape[axis]);
         let indices: [[usize; 4]; N] = std::array::from_fn(|axis| std::array::from_fn(|m| index(axis, m)));
         let place = |m: usize| {
             (0..N).rev().fold(0, |sum, axis| sum * volume.shape[axis] + indices[axis][(m >> (2 * axis)) & 3])
@@ -151,17 +153,14 @@ impl<const N: usize> Place<N> {
 }
 
 /// All derivatives of order up to 2, each with the axes that it is along; the last axis, the slowest, is summed up first.
-fn contract<K: Ring>(
-    values: &[K],
-    weights: &[[[K; 4]; 3]],
-    axes: &mut Vec<usize>,
-    found: &mut dyn FnMut(&[usize], K),
-) {
+fn contract<K: Ring>(values: &[K], weights: &[[[K; 4]; 3]], axes: &mut Vec<usize>, found: &mut dyn FnMut(&[usize], K)) {
     let Some((last, rest)) = weights.split_last() else { return found(axes, values[0].clone()) };
     let quarter = values.len() / 4;
     for order in 0..=2 - axes.len() {
         let w = &last[order];
-        let sum = |i: usize| (1..4).fold(w[0].clone() * &values[i], |sum, m| sum + &(w[m].clone() * &values[i + m * quarter]));
+        let sum = |i: usize| {
+            (1..4).fold(w[0].clone() * &values[i], |sum, m| sum + &(w[m].clone() * &values[i + m * quarter]))
+        };
         let sums: Vec<K> = (0..quarter).map(sum).collect();
         let before = axes.len();
         axes.extend(std::iter::repeat_n(rest.len(), order));
@@ -170,14 +169,13 @@ fn contract<K: Ring>(
     }
 }
 
-impl Interval {
-    /// The binary64 nearest to all numbers of the interval; `None` where there is no such one.
-    fn nearest(&self) -> Option<f64> {
-        let (lo, hi) = self.bounds()?;
-        rounding::nearest_within(&lo, &hi)
-    }
+/// The binary64 nearest to all numbers of an interval; `None` where there is no such one.
+fn nearest(x: &Interval) -> Option<f64> {
+    let (lo, hi) = x.bounds()?;
+    rounding::nearest_within(&lo, &hi)
 }
 
+/// Each number of a jet, rounded.
 fn rounded_jet<K: Ring, const N: usize>(jet: &Jet<K, N>, nearest: impl Fn(&K) -> Option<f64>) -> Option<Jet<f64, N>> {
     let mut rounded = Jet { value: nearest(&jet.value)?, gradient: Vector([0.0; N]), hessian: Matrix([[0.0; N]; N]) };
     for i in 0..N {
@@ -195,24 +193,23 @@ fn is_finite<const N: usize>(jet: &Jet<f64, N>) -> bool {
 }
 
 fn enclosed_surface(jet: &Jet<Interval, 3>) -> Option<LevelSurface64> {
-    let rounded = rounded_jet(jet, Interval::nearest)?;
+    let rounded = rounded_jet(jet, nearest)?;
     let w = jet.gradient.norm_squared();
     let gaussian = gaussian_numerator(jet).checked_div(&(w.clone() * &w))?;
     let mean = (-mean_numerator(jet)).checked_div(&(w.sqrt()? * &w * &Interval::integer(2)))?;
     let spread = (mean.clone() * &mean - &gaussian).sqrt()?;
-    let principal = [(mean.clone() + &spread).nearest()?, (mean.clone() - &spread).nearest()?];
-    Some(LevelSurface64 { jet: rounded, gaussian: gaussian.nearest()?, mean: mean.nearest()?, principal })
+    let principal = [nearest(&(mean.clone() + &spread))?, nearest(&(mean.clone() - &spread))?];
+    Some(LevelSurface64 { jet: rounded, gaussian: nearest(&gaussian)?, mean: nearest(&mean)?, principal })
 }
 
 /// `None` iff ∇f = 0.
 fn exact_surface(jet: &Jet<Rational, 3>) -> Option<LevelSurface64> {
-    let nearest = crate::number::binary::nearest_f64;
     let surface = curvature(jet).ok()?;
     let principal = surface.principal();
     let (mean, spread) = (principal.mean(), principal.spread());
     Some(LevelSurface64 {
-        jet: rounded_jet(jet, |x| Some(nearest(x))).expect("a rational is rounded"),
-        gaussian: nearest(&surface.gaussian),
+        jet: rounded_jet(jet, |x| Some(nearest_f64(x))).expect("a rational is rounded"),
+        gaussian: nearest_f64(&surface.gaussian),
         mean: nearest_sum(mean, &Surd::integer(0)),
         principal: [nearest_sum(mean, spread), nearest_sum(mean, &-spread.clone())],
     })
@@ -223,8 +220,7 @@ fn exact_surface(jet: &Jet<Rational, 3>) -> Option<LevelSurface64> {
 /// The enclosure narrows until its ends round to the same, or to two neighbours: then the exact order of a + b and of the number
 /// half-way decides. It narrows that far, for a number that is not 0 has a width of roundings around it.
 fn nearest_sum(a: &Surd, b: &Surd) -> f64 {
-    let opposite = -b.clone();
-    if *a == opposite {
+    if *a == -b.clone() {
         return 0.0;
     }
     let mut bits = BITS;
@@ -233,22 +229,21 @@ fn nearest_sum(a: &Surd, b: &Surd) -> f64 {
         if let Some(x) = rounding::nearest_within(&lo, &hi) {
             return x;
         }
-        let (x, y) = (crate::number::binary::nearest_f64(&lo), crate::number::binary::nearest_f64(&hi));
-        if lo.cmp0() == hi.cmp0()
-            && x.next_up() == y
-            && let (Some(left), Some(right)) = (Rational::from_f64(x), Rational::from_f64(y))
-        {
-            let middle = (left + right) / 2_u32;
-            // a + b against m: a against m − b, in one field each.
-            let rest = Surd::from(middle.clone()) - b;
-            return match a.cmp(&rest) {
-                std::cmp::Ordering::Less => x,
-                std::cmp::Ordering::Equal => crate::number::binary::nearest_f64(&middle),
-                std::cmp::Ordering::Greater => y,
+        let (x, y) = (nearest_f64(&lo), nearest_f64(&hi));
+        if lo.cmp0() == hi.cmp0() && x.next_up() == y {
+            let middle = (value(x) + value(y)) / 2_u32;
+            // a + b against m is a against m − b: each is in one field.
+            return match a.cmp(&(Surd::from(middle.clone()) - b)) {
+                Ordering::Less => x,
+                Ordering::Equal => nearest_f64(&middle),
+                Ordering::Greater => y,
             };
         }
         bits *= 2;
     }
 }
 
-const _: Sign = Sign::Zero;
+/// x, where ±∞ stands for ±2¹⁰²⁴, the number after the largest one were there no limit.
+fn value(x: f64) -> Rational {
+    Rational::from_f64(x).unwrap_or_else(|| (Rational::from(1) << 1024_u32) * if x > 0.0 { 1 } else { -1 })
+}
