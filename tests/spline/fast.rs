@@ -233,9 +233,26 @@ mod sp_303 {
         }
     }
 
+    /// Planes so large that their integers are not held at once: zeros in each of them.
     #[test]
-    fn few_planes_at_a_time_give_the_same() {
-        // Longer than what is held at once in one plane each: every plane is asked for, by values beyond the doubled numbers.
+    fn planes_that_are_held_one_by_one_give_the_same() {
+        let shape = if is_long() { [731, 719, 2] } else { [31, 29, 2] };
+        let mut seed = 17;
+        let mut g = vec![0.0; shape.iter().product()];
+        for row in g.chunks_mut(shape[0]) {
+            for x in 0..row.len() / 2 {
+                row[x] = fraction(&mut seed);
+                row[shape[0] - 1 - x] = -row[x];
+            }
+        }
+        let c = coefficients(&g, shape, Boundary::Mirror).expect("finite");
+        assert!(c.chunks(shape[0]).all(|row| row[shape[0] / 2].to_bits() == 0));
+        assert!(c.chunks(shape[0]).all(|row| row.iter().filter(|x| **x == 0.0).count() == 1));
+    }
+
+    #[test]
+    fn signs_far_below_the_least_binary64_are_right() {
+        // From the end of a long line the coefficients fall below what doubled numbers hold.
         let mut g = vec![0.0; 2 * 3 * 1200];
         g[1] = 1.0;
         let c = coefficients(&g, [2, 3, 1200], Boundary::Mirror).expect("finite");

@@ -4,8 +4,9 @@
 //! rounding, for whole blocks of lines at a time (SP-301, SP-302); what they leave in doubt, ties and zeros among it, is worked
 //! out as an integer over a known denominator (SP-303). So the answer depends on no instruction set, only the speed.
 //!
-//! Time is linear in the volume, but for the doubtful coefficients: one of them costs a pass of integers of about 1.9 bits a sample
-//! of each axis over the volume, all of them together not much more. Memory is 24 bytes a sample. One thread.
+//! Time is linear in the volume, but for what is left in doubt: one such coefficient costs a pass over the volume with integers of about
+//! 1.9 bits for each sample of an axis, all together a few such passes. Memory is 24 bytes a sample, a block of up to 32 lines, and 8 bytes and
+//! the bits of a plane's integers more where there are doubts. It runs on one thread.
 
 mod doubled;
 mod exact;
@@ -17,6 +18,7 @@ pub use points::{JetError, LevelSurface64};
 use crate::number::Rational;
 use crate::spline::signal::{Boundary, SignalError, check_shape};
 use doubled::{Block, Line, Scale, Solve};
+use exact::Exact;
 use pulp::{Arch, Scalar, WithSimd};
 use std::ops::Range;
 use thiserror::Error;
@@ -183,23 +185,26 @@ impl<'a, T: Sample, const N: usize> Enclosed<'a, T, N> {
     /// `Overflow` iff one of them is not finite.
     pub fn into_coefficients(mut self) -> Result<Vec<f64>, FastError> {
         let scale = rounding::Scale::new(self.scale);
-        let settled = self.doubtful(&scale).into_iter().map(|i| {
+        let mut open = Vec::new();
+        let mut settled = Vec::new();
+        for i in self.doubtful(&scale) {
             let (lo, hi) = self.bounds(i);
-            (i, rounding::nearest_within(&lo, &hi))
-        });
-        let settled: Vec<(usize, Option<f64>)> = settled.collect();
+            match rounding::nearest_within(&lo, &hi) {
+                Some(x) => settled.push((i, x)),
+                None => open.push(i),
+            }
+        }
         for x in &mut self.hi {
             *x = scale.unscaled(*x);
         }
-        for (i, x) in &settled {
-            self.hi[*i] = x.unwrap_or_default();
+        for (i, x) in settled {
+            self.hi[i] = x;
         }
-        let open: Vec<usize> = settled.iter().filter(|(_, x)| x.is_none()).map(|(i, _)| *i).collect();
         if !open.is_empty() {
-            let exact = exact::coefficients(self.samples, &self.shape, self.boundary, &open);
-            for (p, &i) in exact.numerators.iter().zip(&open) {
+            let exact = Exact::new(self.samples, &self.shape, self.boundary);
+            exact.each(&open, &mut |i, p| {
                 self.hi[i] = rounding::nearest_quotient(p, &exact.denominator, exact.exponent);
-            }
+            });
         }
         match self.hi.iter().position(|x| x.is_infinite()) {
             Some(index) => Err(FastError::Overflow { index }),

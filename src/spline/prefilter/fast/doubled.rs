@@ -319,3 +319,59 @@ fn two_product<S: Simd>(simd: S, a: S::f64s, b: S::f64s) -> (S::f64s, S::f64s) {
     let e = simd.add_f64s(simd.add_f64s(e, product(a1, b2)), product(a2, b1));
     (p, simd.add_f64s(e, product(a2, b2)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Rational;
+    use pulp::Scalar;
+
+    fn exactly(x: f64) -> Rational {
+        Rational::from_f64(x).expect("finite")
+    }
+
+    fn value(x: &Doubled<Scalar>) -> Rational {
+        exactly(x.hi) + exactly(x.lo)
+    }
+
+    /// |x − exact| ≤ err, and |lo| ≤ u|hi|. Whether err could be as small as 0 there.
+    fn assert_bounded(x: &Doubled<Scalar>, exact: &Rational) -> bool {
+        let error = (value(x) - exact).abs();
+        assert!(error <= exactly(x.err));
+        assert!(x.lo.abs() <= x.hi.abs() * 2_f64.powi(-53));
+        error == 0
+    }
+
+    /// Each operation by itself, so that no bound hides behind the slack of another.
+    #[test]
+    fn every_operation_keeps_its_bound() {
+        let mut seed = 1_u64;
+        let mut fraction = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed as i64 >> 11) as f64 * 2_f64.powi(-52)
+        };
+        let simd = Scalar::new();
+        let mut inexact = [0; 2];
+        for i in 0..4000 {
+            let mut number = |err: f64| {
+                let (hi, lo) = two_sum(simd, fraction(), fraction() * 2_f64.powi(-54 - i % 3));
+                Doubled::<Scalar> { hi, lo, err }
+            };
+            let (x, y) = (number(0.0), number(0.0));
+            let m = Float::with_val(CONSTANT_BITS, 1_u32) / (4_u32 + i.unsigned_abs());
+            let product = times(simd, Doubled { ..x }, Factor::new(simd, Constant::new(&m)));
+            inexact[0] += u32::from(!assert_bounded(&product, &(value(&x) / (4 + i))));
+            let (exact, err) = (value(&x) - value(&y), 2_f64.powi(-70));
+            let difference = minus(simd, Doubled { ..x }, Doubled { ..y });
+            inexact[1] += u32::from(!assert_bounded(&difference, &exact));
+            // An error of an operand goes on: the whole of it in the difference, m times in the product.
+            let moved = Doubled::<Scalar> { err, ..x };
+            let by = exactly(err);
+            assert_bounded(&minus(simd, Doubled { ..moved }, Doubled { ..y }), &Rational::from(&exact + &by));
+            assert_bounded(&minus(simd, Doubled { ..y }, Doubled { ..moved }), &-(exact + &by));
+            let product = times(simd, moved, Factor::new(simd, Constant::new(&m)));
+            assert_bounded(&product, &((value(&x) + by) / (4 + i)));
+        }
+        assert!(inexact.iter().all(|n| *n > 1000), "there are roundings to bound: {inexact:?}");
+    }
+}

@@ -1,6 +1,7 @@
 //! Values, derivatives and curvatures of the interpolant at points, correctly rounded.
 
-use super::{Enclosed, Sample, exact, rounding};
+use super::exact::Exact;
+use super::{Enclosed, Sample, rounding};
 use crate::curvature::implicit_surface::{curvature, gaussian_numerator, mean_numerator};
 use crate::curvature::jet::Jet;
 use crate::linear::{Matrix, Vector};
@@ -77,11 +78,10 @@ impl<T: Sample, const N: usize> Enclosed<'_, T, N> {
             places.iter().zip(&first).filter(|(_, a)| a.is_none()).flat_map(|(p, _)| p.neighbours.clone()).collect();
         near.sort_unstable();
         near.dedup();
-        let solved: Vec<Rational> = if near.is_empty() {
+        let solved = if near.is_empty() {
             Vec::new()
         } else {
-            let exact = exact::coefficients(self.samples, &self.shape, self.boundary, &near);
-            (0..near.len()).map(|i| exact.rational(i)).collect()
+            Exact::new(self.samples, &self.shape, self.boundary).rationals(&near)
         };
         let exact_jet = |place: &Place<N>| {
             let c = |i: &usize| solved[near.binary_search(i).expect("it was asked for")].clone();
@@ -156,8 +156,7 @@ impl<const N: usize> Place<N> {
 fn contract<K: Ring>(values: &[K], weights: &[[[K; 4]; 3]], axes: &mut Vec<usize>, found: &mut dyn FnMut(&[usize], K)) {
     let Some((last, rest)) = weights.split_last() else { return found(axes, values[0].clone()) };
     let quarter = values.len() / 4;
-    for order in 0..=2 - axes.len() {
-        let w = &last[order];
+    for (order, w) in last.iter().enumerate().take(3 - axes.len()) {
         let sum = |i: usize| {
             (1..4).fold(w[0].clone() * &values[i], |sum, m| sum + &(w[m].clone() * &values[i + m * quarter]))
         };
