@@ -224,4 +224,30 @@ mod sp_306 {
             assert_eq!((found.gaussian.to_bits(), found.principal[1].to_bits()), (0, 0));
         }
     }
+
+    /// As above with D(z), D″ a multiple of 1/11: H and the root are no binary64, their sum is a tie; or nearly one.
+    #[test]
+    fn sums_that_are_ties_or_nearly_ties_are_decided_exactly() {
+        let s = 2_f64.powi(50);
+        for m in [3_002_399_751_580_333_i64, 3_002_399_751_580_335, 4_000_000_000_000_001, 4_000_000_000_000_003] {
+            for tiny in [0.0, 2_f64.powi(-120), -2_f64.powi(-120)] {
+                let (a, b, d) = ([0.0, s, -s], [4 * m, m, 0, m].map(|x| x as f64), [s, 0.0, 0.0, 0.0, 0.0]);
+                let mut g: Vec<f64> = (0..60).map(|i| a[i % 3] + b[i / 3 % 4] + d[i / 12]).collect();
+                // A sample that is 0.
+                let place = 3 * 2 + 12;
+                assert_eq!(g[place], 0.0);
+                g[place] = tiny;
+                let origin = [q(0, 1), q(0, 1), q(0, 1)];
+                let k = Rational::from(6 * m) / Rational::from(1_i64 << 50);
+                let volume = Enclosed::new(&g, [3, 4, 5], Boundary::Periodic).expect("sound");
+                let found = volume.level_surfaces(std::slice::from_ref(&origin));
+                let found = found[0].as_ref().expect("regular");
+                if tiny == 0.0 {
+                    assert_eq!(found.principal[0], nearest_f64(&k), "to the even one");
+                    assert_ne!(from_f64(found.principal[0]).expect("finite"), k, "a tie, no binary64");
+                }
+                assert_surfaces(&g, [3, 4, 5], Boundary::Periodic, &[origin]);
+            }
+        }
+    }
 }

@@ -374,4 +374,26 @@ mod tests {
         }
         assert!(inexact.iter().all(|n| *n > 1000), "there are roundings to bound: {inexact:?}");
     }
+
+    #[test]
+    fn underflow_is_within_the_bounds() {
+        let simd = Scalar::new();
+        let third = Constant::new(&(Float::with_val(CONSTANT_BITS, 1_u32) / 3_u32));
+        let mut inexact = 0;
+        for i in 0..500_u64 {
+            // A few units of 2⁻¹⁰⁷⁴: a third of it is no multiple of that.
+            let x = Doubled::<Scalar> { hi: f64::from_bits(1 + 7 * i), lo: 0.0, err: 0.0 };
+            let exact = value(&x) / 3_u32;
+            inexact += u32::from(!assert_bounded(&times(simd, x, Factor::new(simd, third)), &exact));
+            // Scaling down to there, in two steps.
+            let mut block = Block::new(1, 1);
+            let g = f64::from_bits((1_u64 << 52) * 40 + 0x000F_1234_5678_9ABC + i);
+            block.hi[0] = g;
+            let powers = [2_f64.powi(-31), 2_f64.powi(-31)];
+            Scale { block: &mut block, powers, gain: 216.0, err: super::super::SCALING }.with_simd(simd);
+            let scaled = Doubled::<Scalar> { hi: block.hi[0], lo: block.lo[0], err: block.err[0] };
+            inexact += u32::from(!assert_bounded(&scaled, &((exactly(g) * 216_u32) >> 62_u32)));
+        }
+        assert!(inexact > 700, "{inexact}");
+    }
 }
