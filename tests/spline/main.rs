@@ -1,6 +1,7 @@
 //! Cubic splines: each entry of spec/spline.md against a second derivation.
 
 mod fast;
+mod fast_points;
 mod ground;
 
 use isoracle::number::Rational;

@@ -4,8 +4,9 @@
 //! rounding, for whole blocks of lines at a time (SP-301, SP-302); what they leave in doubt, ties and zeros among it, is worked
 //! out as an integer over a known denominator (SP-303). So the answer depends on no instruction set, only the speed.
 //!
-//! Time is linear in the volume, but for the doubtful coefficients: one of them costs a pass of integers of about 1.9 bits a sample
-//! of each axis over the volume, all of them together not much more. Memory is 24 bytes a sample. One thread.
+//! Time is linear in the volume, but for what is left in doubt: one such coefficient costs a pass over the volume with integers of about
+//! 1.9 bits for each sample of an axis, all together a few such passes. Memory is 24 bytes a sample, a block of up to 32 lines, and 8 bytes and
+//! the bits of a plane's integers more where there are doubts. It runs on one thread.
 
 mod doubled;
 mod exact;
@@ -16,8 +17,10 @@ pub use points::{JetError, LevelSurface64};
 
 use crate::number::Rational;
 use crate::spline::signal::{Boundary, SignalError, check_shape};
-use doubled::{Block, INFLATION, Line, Scale, Solve};
-use pulp::{Arch, WithSimd};
+use doubled::{Block, Line, Scale, Solve};
+use exact::Exact;
+use pulp::{Arch, Scalar, WithSimd};
+use std::ops::Range;
 use thiserror::Error;
 
 /// How many lines are solved side by side.
@@ -25,6 +28,9 @@ const WIDTH: usize = 32;
 
 /// The exponent that the largest sample is scaled to: products stay far from 2¹⁰²⁴, and tiny ones far from 2⁻¹⁰⁷⁴.
 const LARGEST_EXPONENT: i32 = 900;
+
+/// More than scaling down by underflow, times the gain, can add to the error: 2 halves of 2⁻¹⁰⁷⁴, times 216.
+const SCALING: f64 = f64::from_bits(1 << 10);
 
 /// A number whose value a binary64 has exactly.
 pub trait Sample: Copy {
@@ -119,62 +125,58 @@ impl<'a, T: Sample, const N: usize> Enclosed<'a, T, N> {
 
     fn solve_axis(&mut self, axis: usize) {
         let n = self.shape[axis];
-        let stride: usize = self.shape[..axis].iter().product();
         let count = self.samples.len() / n;
         let line = Line::new(n, self.boundary);
         // A single line is a chain of operations that no lane beside it makes longer.
-        let mut block = Block::new(n, if count == 1 { 1 } else { count.next_multiple_of(8).min(WIDTH) });
+        let width = if count == 1 { 1 } else { count.next_multiple_of(8).min(WIDTH) };
+        let mut block = Block::new(n, width);
         let arch = Arch::new();
         let mut first = 0;
         while first < count {
-            // Lines whose samples lie side by side; of the first axis, lines one after the other.
-            let (base, step, next) = match axis {
-                0 => (first * n, n, 1),
-                _ => (first / stride * stride * n + first % stride, 1, stride),
-            };
-            let lines = (if axis == 0 { count - first } else { stride - first % stride }).min(block.width());
-            let place = |k: usize, lane: usize| base + lane * step + k * next;
+            let lines = self.lines(axis, first, width);
             if axis == 0 {
-                let width = block.width();
-                for lane in 0..lines {
-                    let line = &self.samples[base + lane * n..][..n];
+                for (lane, line) in lines.lines(self.samples, n).enumerate() {
                     for (row, g) in block.hi.chunks_exact_mut(width).zip(line) {
                         row[lane] = g.value();
                     }
                 }
                 let gain = [6.0, 36.0, 216.0][N - 1];
-                run(arch, Scale { block: &mut block, powers: powers(self.scale), gain, err: SCALING });
+                run(arch, width, Scale { block: &mut block, powers: powers(self.scale), gain, err: SCALING });
             } else {
-                let width = block.width();
-                for k in 0..n {
-                    let from = place(k, 0)..place(k, lines);
-                    let to = k * width..k * width + lines;
+                for (k, from) in lines.rows(n).enumerate() {
+                    let to = k * width..k * width + from.len();
                     block.hi[to.clone()].copy_from_slice(&self.hi[from.clone()]);
                     block.lo[to.clone()].copy_from_slice(&self.lo[from.clone()]);
                     block.err[to].copy_from_slice(&self.err[from]);
                 }
             }
-            run(arch, Solve { block: &mut block, line: &line });
-            let width = block.width();
-            if axis == 0 {
-                for (from, to) in [(&block.hi, &mut self.hi), (&block.lo, &mut self.lo), (&block.err, &mut self.err)] {
-                    for lane in 0..lines {
-                        let line = &mut to[base + lane * n..][..n];
+            run(arch, width, Solve { block: &mut block, line: &line });
+            for (from, to) in [(&block.hi, &mut self.hi), (&block.lo, &mut self.lo), (&block.err, &mut self.err)] {
+                if axis == 0 {
+                    for (lane, line) in to[lines.base..][..lines.count * n].chunks_exact_mut(n).enumerate() {
                         for (x, row) in line.iter_mut().zip(from.chunks_exact(width)) {
                             *x = row[lane];
                         }
                     }
-                }
-            } else {
-                for k in 0..n {
-                    let (from, to) = (k * width..k * width + lines, place(k, 0)..place(k, lines));
-                    self.hi[to.clone()].copy_from_slice(&block.hi[from.clone()]);
-                    self.lo[to.clone()].copy_from_slice(&block.lo[from.clone()]);
-                    self.err[to].copy_from_slice(&block.err[from]);
+                } else {
+                    for (k, to_row) in lines.rows(n).enumerate() {
+                        let length = to_row.len();
+                        to[to_row].copy_from_slice(&from[k * width..][..length]);
+                    }
                 }
             }
-            first += lines;
+            first += lines.count;
         }
+    }
+
+    /// The lines along an axis from a number on, at most so many, that lie side by side; of the first axis, one after the other.
+    fn lines(&self, axis: usize, first: usize, most: usize) -> Lines {
+        let (n, stride) = (self.shape[axis], self.shape[..axis].iter().product::<usize>());
+        if axis == 0 {
+            return Lines { base: first * n, count: most.min(self.samples.len() / n - first), stride };
+        }
+        let within = first % stride;
+        Lines { base: (first - within) * n + within, count: most.min(stride - within), stride }
     }
 
     /// The coefficients, correctly rounded.
@@ -183,39 +185,26 @@ impl<'a, T: Sample, const N: usize> Enclosed<'a, T, N> {
     /// `Overflow` iff one of them is not finite.
     pub fn into_coefficients(mut self) -> Result<Vec<f64>, FastError> {
         let scale = rounding::Scale::new(self.scale);
-        let mut doubtful = Vec::new();
-        const PART: usize = 64;
-        for first in (0..self.hi.len()).step_by(PART) {
-            let part = first..(first + PART).min(self.hi.len());
-            let (hi, lo, err) = (&self.hi[part.clone()], &self.lo[part.clone()], &self.err[part.clone()]);
-            let doubts =
-                hi.iter().zip(lo).zip(err).fold(0_u32, |n, ((h, l), e)| n + u32::from(!scale.decides(*h, *l, *e)));
-            if doubts != 0 {
-                doubtful.extend(part.clone().filter(|&i| !scale.decides(self.hi[i], self.lo[i], self.err[i])));
+        let mut open = Vec::new();
+        let mut settled = Vec::new();
+        for i in self.doubtful(&scale) {
+            let (lo, hi) = self.bounds(i);
+            match rounding::nearest_within(&lo, &hi) {
+                Some(x) => settled.push((i, x)),
+                None => open.push(i),
             }
-            // The enclosures of the doubtful ones are needed once more.
         }
-        let settled: Vec<(usize, Option<f64>)> = doubtful
-            .into_iter()
-            .map(|i| {
-                let (lo, hi) = self.enclosure(i);
-                (i, rounding::nearest_within(&lo, &hi))
-            })
-            .collect();
         for x in &mut self.hi {
             *x = scale.unscaled(*x);
         }
-        let open: Vec<usize> = settled.iter().filter(|(_, x)| x.is_none()).map(|(i, _)| *i).collect();
         for (i, x) in settled {
-            if let Some(x) = x {
-                self.hi[i] = x;
-            }
+            self.hi[i] = x;
         }
         if !open.is_empty() {
-            let exact = exact::coefficients(self.samples, &self.shape, self.boundary, &open);
-            for (p, &i) in exact.numerators.iter().zip(&open) {
+            let exact = Exact::new(self.samples, &self.shape, self.boundary);
+            exact.each(&open, &mut |i, p| {
                 self.hi[i] = rounding::nearest_quotient(p, &exact.denominator, exact.exponent);
-            }
+            });
         }
         match self.hi.iter().position(|x| x.is_infinite()) {
             Some(index) => Err(FastError::Overflow { index }),
@@ -223,8 +212,27 @@ impl<'a, T: Sample, const N: usize> Enclosed<'a, T, N> {
         }
     }
 
-    /// Bounds of a coefficient.
-    fn enclosure(&self, i: usize) -> (Rational, Rational) {
+    /// The places of the coefficients whose rounding hi + lo ± err does not show at once.
+    fn doubtful(&self, scale: &rounding::Scale) -> Vec<usize> {
+        const PART: usize = 64;
+        let mut doubtful = Vec::new();
+        let parts = self.hi.chunks(PART).zip(self.lo.chunks(PART)).zip(self.err.chunks(PART));
+        for (part, ((hi, lo), err)) in parts.enumerate() {
+            let decided = || hi.iter().zip(lo).zip(err).map(|((hi, lo), err)| scale.decides(*hi, *lo, *err));
+            // All of them, without a branch, so that they are looked at several at a time.
+            if !decided().fold(true, |all, one| all & one) {
+                let doubts = decided().enumerate().filter(|(_, is_decided)| !is_decided);
+                doubtful.extend(doubts.map(|(i, _)| part * PART + i));
+            }
+        }
+        doubtful
+    }
+
+    /// lo ≤ c ≤ hi of the coefficient at a place.
+    ///
+    /// # Panics
+    /// Iff there is no such place.
+    pub fn bounds(&self, i: usize) -> (Rational, Rational) {
         let finite = |x: f64| Rational::from_f64(x).expect("what the recursion makes is finite");
         let (middle, err) = (finite(self.hi[i]) + finite(self.lo[i]), finite(self.err[i]));
         let unscaled =
@@ -233,32 +241,29 @@ impl<'a, T: Sample, const N: usize> Enclosed<'a, T, N> {
     }
 }
 
-/// What scaling down may add to the error, with the gain: a few halves of 2⁻¹⁰⁷⁴ times 216.
-const SCALING: f64 = f64::from_bits(1 << 10);
+/// Lines of one axis: the first sample of the first one, how many there are, and the distance of samples along them.
+struct Lines {
+    base: usize,
+    count: usize,
+    stride: usize,
+}
 
-fn run<Op: WithSimd<Output = ()> + Narrow>(arch: Arch, operation: Op) {
-    if operation.is_narrow() {
-        operation.with_simd(pulp::Scalar::new());
-    } else {
-        arch.dispatch(operation);
+impl Lines {
+    /// Each line of the first axis.
+    fn lines<'s, T>(&self, samples: &'s [T], n: usize) -> impl Iterator<Item = &'s [T]> + use<'s, T> {
+        samples[self.base..][..self.count * n].chunks_exact(n)
+    }
+
+    /// The places of the samples k = 0 … n − 1 of all these lines.
+    fn rows(&self, n: usize) -> impl Iterator<Item = Range<usize>> {
+        let (base, count, stride) = (self.base, self.count, self.stride);
+        (0..n).map(move |k| base + k * stride..base + k * stride + count)
     }
 }
 
-/// Whether the rows are single numbers, which no vector holds.
-trait Narrow {
-    fn is_narrow(&self) -> bool;
-}
-
-impl Narrow for Scale<'_> {
-    fn is_narrow(&self) -> bool {
-        self.block.width() == 1
-    }
-}
-
-impl Narrow for Solve<'_> {
-    fn is_narrow(&self) -> bool {
-        self.block.width() == 1
-    }
+/// With the widest vectors that there are; a single line number by number.
+fn run(arch: Arch, width: usize, operation: impl WithSimd<Output = ()>) {
+    if width == 1 { operation.with_simd(Scalar::new()) } else { arch.dispatch(operation) }
 }
 
 /// 2^s as a product of two numbers.
@@ -287,5 +292,3 @@ fn largest<T: Sample>(samples: &[T]) -> Result<f64, FastError> {
     let index = samples.iter().position(|g| !g.value().is_finite()).expect("one of them has those bits");
     Err(FastError::NotFinite { index, value: samples[index].value() })
 }
-
-const _: () = assert!(INFLATION > 1.0);

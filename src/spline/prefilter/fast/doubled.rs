@@ -44,6 +44,7 @@ impl Constant {
 }
 
 /// The constants of the elimination of one line of n samples. SP-301.
+#[doc(alias = "SP-301")]
 #[derive(Clone, Debug)]
 pub(super) struct Line {
     boundary: Boundary,
@@ -95,7 +96,6 @@ impl Line {
 #[derive(Debug)]
 pub(super) struct Block {
     n: usize,
-    width: usize,
     pub(super) hi: Vec<f64>,
     pub(super) lo: Vec<f64>,
     pub(super) err: Vec<f64>,
@@ -104,11 +104,7 @@ pub(super) struct Block {
 impl Block {
     pub(super) fn new(n: usize, width: usize) -> Block {
         let zeros = || vec![0.0; n * width];
-        Block { n, width, hi: zeros(), lo: zeros(), err: zeros() }
-    }
-
-    pub(super) fn width(&self) -> usize {
-        self.width
+        Block { n, hi: zeros(), lo: zeros(), err: zeros() }
     }
 }
 
@@ -322,4 +318,82 @@ fn two_product<S: Simd>(simd: S, a: S::f64s, b: S::f64s) -> (S::f64s, S::f64s) {
     let e = simd.sub_f64s(product(a1, b1), p);
     let e = simd.add_f64s(simd.add_f64s(e, product(a1, b2)), product(a2, b1));
     (p, simd.add_f64s(e, product(a2, b2)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Rational;
+    use pulp::Scalar;
+
+    fn exactly(x: f64) -> Rational {
+        Rational::from_f64(x).expect("finite")
+    }
+
+    fn value(x: &Doubled<Scalar>) -> Rational {
+        exactly(x.hi) + exactly(x.lo)
+    }
+
+    /// |x − exact| ≤ err, and |lo| ≤ u|hi|. Whether err could be as small as 0 there.
+    fn assert_bounded(x: &Doubled<Scalar>, exact: &Rational) -> bool {
+        let error = (value(x) - exact).abs();
+        assert!(error <= exactly(x.err));
+        assert!(x.lo.abs() <= x.hi.abs() * 2_f64.powi(-53));
+        error == 0
+    }
+
+    /// Each operation by itself, so that no bound hides behind the slack of another.
+    #[test]
+    fn every_operation_keeps_its_bound() {
+        let mut seed = 1_u64;
+        let mut fraction = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed as i64 >> 11) as f64 * 2_f64.powi(-52)
+        };
+        let simd = Scalar::new();
+        let mut inexact = [0; 2];
+        for i in 0..4000 {
+            let mut number = |err: f64| {
+                let (hi, lo) = two_sum(simd, fraction(), fraction() * 2_f64.powi(-54 - i % 3));
+                Doubled::<Scalar> { hi, lo, err }
+            };
+            let (x, y) = (number(0.0), number(0.0));
+            let m = Float::with_val(CONSTANT_BITS, 1_u32) / (4_u32 + i.unsigned_abs());
+            let product = times(simd, Doubled { ..x }, Factor::new(simd, Constant::new(&m)));
+            inexact[0] += u32::from(!assert_bounded(&product, &(value(&x) / (4 + i))));
+            let (exact, err) = (value(&x) - value(&y), 2_f64.powi(-70));
+            let difference = minus(simd, Doubled { ..x }, Doubled { ..y });
+            inexact[1] += u32::from(!assert_bounded(&difference, &exact));
+            // An error of an operand goes on: the whole of it in the difference, m times in the product.
+            let moved = Doubled::<Scalar> { err, ..x };
+            let by = exactly(err);
+            assert_bounded(&minus(simd, Doubled { ..moved }, Doubled { ..y }), &Rational::from(&exact + &by));
+            assert_bounded(&minus(simd, Doubled { ..y }, Doubled { ..moved }), &-(exact + &by));
+            let product = times(simd, moved, Factor::new(simd, Constant::new(&m)));
+            assert_bounded(&product, &((value(&x) + by) / (4 + i)));
+        }
+        assert!(inexact.iter().all(|n| *n > 1000), "there are roundings to bound: {inexact:?}");
+    }
+
+    #[test]
+    fn underflow_is_within_the_bounds() {
+        let simd = Scalar::new();
+        let third = Constant::new(&(Float::with_val(CONSTANT_BITS, 1_u32) / 3_u32));
+        let mut inexact = 0;
+        for i in 0..500_u64 {
+            // A few units of 2⁻¹⁰⁷⁴: a third of it is no multiple of that.
+            let x = Doubled::<Scalar> { hi: f64::from_bits(1 + 7 * i), lo: 0.0, err: 0.0 };
+            let exact = value(&x) / 3_u32;
+            inexact += u32::from(!assert_bounded(&times(simd, x, Factor::new(simd, third)), &exact));
+            // Scaling down to there, in two steps.
+            let mut block = Block::new(1, 1);
+            let g = f64::from_bits((1_u64 << 52) * 40 + 0x000F_1234_5678_9ABC + i);
+            block.hi[0] = g;
+            let powers = [2_f64.powi(-31), 2_f64.powi(-31)];
+            Scale { block: &mut block, powers, gain: 216.0, err: super::super::SCALING }.with_simd(simd);
+            let scaled = Doubled::<Scalar> { hi: block.hi[0], lo: block.lo[0], err: block.err[0] };
+            inexact += u32::from(!assert_bounded(&scaled, &((exactly(g) * 216_u32) >> 62_u32)));
+        }
+        assert!(inexact > 700, "{inexact}");
+    }
 }

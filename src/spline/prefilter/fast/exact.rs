@@ -7,66 +7,67 @@ use crate::spline::signal::Boundary;
 /// How many numbers of an intermediate plane are held at once.
 const HELD: usize = 1 << 19;
 
-/// Coefficients p/D·2^q.
-pub(super) struct Exact {
-    /// p, one for each coefficient that was asked for.
-    pub(super) numerators: Vec<Integer>,
+/// A volume of integers times 2^q, whose coefficients are integers over D times 2^q. SP-303.
+#[doc(alias = "SP-303")]
+pub(super) struct Exact<'a, T> {
+    samples: &'a [T],
+    lines: Vec<ExactLine>,
     /// D > 0.
     pub(super) denominator: Integer,
     /// q.
     pub(super) exponent: i32,
 }
 
-impl Exact {
-    pub(super) fn rational(&self, i: usize) -> Rational {
-        let x = Rational::from((self.numerators[i].clone(), self.denominator.clone()));
-        if self.exponent < 0 { x >> self.exponent.unsigned_abs() } else { x << self.exponent.unsigned_abs() }
+impl<'a, T: Sample> Exact<'a, T> {
+    pub(super) fn new(samples: &'a [T], shape: &[usize], boundary: Boundary) -> Exact<'a, T> {
+        let exponents = samples.iter().map(|g| dyadic(g.value())).filter(|(m, _)| *m != 0).map(|(_, q)| q);
+        let lines: Vec<ExactLine> = shape.iter().map(|&n| ExactLine::new(n, boundary)).collect();
+        let denominator = lines.iter().fold(Integer::from(1), |product, line| product * &line.denominator);
+        Exact { samples, denominator, exponent: exponents.min().unwrap_or(0), lines }
+    }
+
+    /// The numerators of the coefficients at these places, which ascend, one after the other.
+    pub(super) fn each(&self, wanted: &[usize], found: &mut dyn FnMut(usize, &Integer)) {
+        let sample = |i: usize| {
+            let (m, q) = dyadic(self.samples[i].value());
+            if m == 0 { Integer::new() } else { Integer::from(m) << (q - self.exponent).unsigned_abs() }
+        };
+        solve(&sample, &self.lines, wanted, &mut |i, p| found(i, p));
+    }
+
+    /// The coefficients at these places, which ascend.
+    pub(super) fn rationals(&self, wanted: &[usize]) -> Vec<Rational> {
+        let mut all = Vec::with_capacity(wanted.len());
+        let q = self.exponent.unsigned_abs();
+        self.each(wanted, &mut |_, p| {
+            let x = Rational::from((p.clone(), self.denominator.clone()));
+            all.push(if self.exponent < 0 { x >> q } else { x << q });
+        });
+        all
     }
 }
 
-/// The coefficients at these places, which ascend. SP-303.
-#[doc(alias = "SP-303")]
-pub(super) fn coefficients<T: Sample>(samples: &[T], shape: &[usize], boundary: Boundary, wanted: &[usize]) -> Exact {
-    let exponent =
-        samples.iter().map(|g| dyadic(g.value())).filter(|(m, _)| *m != 0).map(|(_, q)| q).min().unwrap_or(0);
-    let sample = |i: usize| {
-        let (m, q) = dyadic(samples[i].value());
-        if m == 0 { Integer::new() } else { Integer::from(m) << (q - exponent).unsigned_abs() }
-    };
-    let lines: Vec<ExactLine> = shape.iter().map(|&n| ExactLine::new(n, boundary)).collect();
-    let numerators = solve(&sample, &lines, wanted);
-    let denominator = lines.iter().fold(Integer::from(1), |product, line| product * &line.denominator);
-    Exact { numerators, denominator, exponent }
-}
-
-/// The last axis first, and of it the wanted planes alone.
-fn solve(g: &dyn Fn(usize) -> Integer, lines: &[ExactLine], wanted: &[usize]) -> Vec<Integer> {
+/// The last axis first, and of it the wanted planes alone; a found number with its place in the volume of these axes.
+fn solve(g: &dyn Fn(usize) -> Integer, lines: &[ExactLine], wanted: &[usize], found: &mut dyn FnMut(usize, &Integer)) {
     let (line, rest) = lines.split_last().expect("there is an axis");
     let stride: usize = rest.iter().map(|line| line.n).product();
-    let mut planes: Vec<usize> = wanted.iter().map(|i| i / stride).collect();
-    planes.dedup();
-    let mut found = Vec::with_capacity(wanted.len());
-    let mut wanted = wanted;
+    let planes: Vec<&[usize]> = wanted.chunk_by(|i, j| i / stride == j / stride).collect();
     for chunk in planes.chunks((HELD / stride).max(1)) {
-        // In plane after plane, as the numbers of `wanted` are.
+        let numbers: Vec<usize> = chunk.iter().map(|plane| plane[0] / stride).collect();
         let mut held = vec![Integer::new(); chunk.len() * stride];
         for i in 0..stride {
             let column: Vec<Integer> = (0..line.n).map(|k| g(i + k * stride)).collect();
-            line.solve(&column, chunk, |place, c| held[place * stride + i] = c);
+            line.solve(&column, &numbers, |place, c| held[place * stride + i] = c);
         }
-        for (plane, k) in held.chunks(stride).zip(chunk) {
-            let count = wanted.iter().take_while(|&&i| i / stride == *k).count();
-            let (here, later) = wanted.split_at(count);
-            wanted = later;
+        for ((plane, k), wanted) in held.chunks(stride).zip(numbers).zip(chunk) {
             if rest.is_empty() {
-                found.push(plane[0].clone());
+                found(k, &plane[0]);
             } else {
-                let here: Vec<usize> = here.iter().map(|i| i % stride).collect();
-                found.extend(solve(&|i| plane[i].clone(), rest, &here));
+                let here: Vec<usize> = wanted.iter().map(|i| i % stride).collect();
+                solve(&|i| plane[i].clone(), rest, &here, &mut |i, p| found(k * stride + i, p));
             }
         }
     }
-    found
 }
 
 /// A line of n samples: D and the first row of D·6·[1 4 1]⁻¹. SP-303.

@@ -1,11 +1,14 @@
 //! Values, derivatives and curvatures of the interpolant at points, correctly rounded.
 
-use super::{Enclosed, Sample, exact, rounding};
+use super::exact::Exact;
+use super::{Enclosed, Sample, rounding};
 use crate::curvature::implicit_surface::{curvature, gaussian_numerator, mean_numerator};
 use crate::curvature::jet::Jet;
 use crate::linear::{Matrix, Vector};
-use crate::number::{Integer, Interval, Rational, Ring, Sign, Surd};
+use crate::number::binary::nearest_f64;
+use crate::number::{Integer, Interval, Rational, Ring, Surd};
 use crate::spline::basis::{split, weights};
+use std::cmp::Ordering;
 use thiserror::Error;
 
 /// The precision of the first enclosures: that of doubled numbers and some more.
@@ -51,8 +54,8 @@ impl<T: Sample, const N: usize> Enclosed<'_, T, N> {
     /// `Overflow` for a point iff one of its numbers is not finite.
     #[doc(alias = "SP-305")]
     pub fn jets(&self, points: &[[Rational; N]]) -> Vec<Result<Jet<f64, N>, JetError>> {
-        let answered = self.answered(points, &|jet| rounded_jet(jet, Interval::nearest), &|jet| {
-            rounded_jet(jet, |x| Some(crate::number::binary::nearest_f64(x))).expect("a rational is rounded")
+        let answered = self.answered(points, &|jet| rounded_jet(jet, nearest), &|jet| {
+            rounded_jet(jet, |x| Some(nearest_f64(x))).expect("a rational is rounded")
         });
         let checked = answered
             .into_iter()
@@ -75,11 +78,10 @@ impl<T: Sample, const N: usize> Enclosed<'_, T, N> {
             places.iter().zip(&first).filter(|(_, a)| a.is_none()).flat_map(|(p, _)| p.neighbours.clone()).collect();
         near.sort_unstable();
         near.dedup();
-        let solved: Vec<Rational> = if near.is_empty() {
+        let solved = if near.is_empty() {
             Vec::new()
         } else {
-            let exact = exact::coefficients(self.samples, &self.shape, self.boundary, &near);
-            (0..near.len()).map(|i| exact.rational(i)).collect()
+            Exact::new(self.samples, &self.shape, self.boundary).rationals(&near)
         };
         let exact_jet = |place: &Place<N>| {
             let c = |i: &usize| solved[near.binary_search(i).expect("it was asked for")].clone();
@@ -90,7 +92,7 @@ impl<T: Sample, const N: usize> Enclosed<'_, T, N> {
 
     fn enclosed_jet(&self, place: &Place<N>) -> Jet<Interval, N> {
         let coefficient = |&i: &usize| {
-            let (lo, hi) = self.enclosure(i);
+            let (lo, hi) = self.bounds(i);
             Interval::between(&lo, &hi, BITS).expect("in order")
         };
         place.jet(place.neighbours.iter().map(coefficient).collect(), |w| Interval::from_rational(w, BITS))
@@ -154,8 +156,7 @@ impl<const N: usize> Place<N> {
 fn contract<K: Ring>(values: &[K], weights: &[[[K; 4]; 3]], axes: &mut Vec<usize>, found: &mut dyn FnMut(&[usize], K)) {
     let Some((last, rest)) = weights.split_last() else { return found(axes, values[0].clone()) };
     let quarter = values.len() / 4;
-    for order in 0..=2 - axes.len() {
-        let w = &last[order];
+    for (order, w) in last.iter().enumerate().take(3 - axes.len()) {
         let sum = |i: usize| {
             (1..4).fold(w[0].clone() * &values[i], |sum, m| sum + &(w[m].clone() * &values[i + m * quarter]))
         };
@@ -167,14 +168,13 @@ fn contract<K: Ring>(values: &[K], weights: &[[[K; 4]; 3]], axes: &mut Vec<usize
     }
 }
 
-impl Interval {
-    /// The binary64 nearest to all numbers of the interval; `None` where there is no such one.
-    fn nearest(&self) -> Option<f64> {
-        let (lo, hi) = self.bounds()?;
-        rounding::nearest_within(&lo, &hi)
-    }
+/// The binary64 nearest to all numbers of an interval; `None` where there is no such one.
+fn nearest(x: &Interval) -> Option<f64> {
+    let (lo, hi) = x.bounds()?;
+    rounding::nearest_within(&lo, &hi)
 }
 
+/// Each number of a jet, rounded.
 fn rounded_jet<K: Ring, const N: usize>(jet: &Jet<K, N>, nearest: impl Fn(&K) -> Option<f64>) -> Option<Jet<f64, N>> {
     let mut rounded = Jet { value: nearest(&jet.value)?, gradient: Vector([0.0; N]), hessian: Matrix([[0.0; N]; N]) };
     for i in 0..N {
@@ -192,24 +192,23 @@ fn is_finite<const N: usize>(jet: &Jet<f64, N>) -> bool {
 }
 
 fn enclosed_surface(jet: &Jet<Interval, 3>) -> Option<LevelSurface64> {
-    let rounded = rounded_jet(jet, Interval::nearest)?;
+    let rounded = rounded_jet(jet, nearest)?;
     let w = jet.gradient.norm_squared();
     let gaussian = gaussian_numerator(jet).checked_div(&(w.clone() * &w))?;
     let mean = (-mean_numerator(jet)).checked_div(&(w.sqrt()? * &w * &Interval::integer(2)))?;
     let spread = (mean.clone() * &mean - &gaussian).sqrt()?;
-    let principal = [(mean.clone() + &spread).nearest()?, (mean.clone() - &spread).nearest()?];
-    Some(LevelSurface64 { jet: rounded, gaussian: gaussian.nearest()?, mean: mean.nearest()?, principal })
+    let principal = [nearest(&(mean.clone() + &spread))?, nearest(&(mean.clone() - &spread))?];
+    Some(LevelSurface64 { jet: rounded, gaussian: nearest(&gaussian)?, mean: nearest(&mean)?, principal })
 }
 
 /// `None` iff ∇f = 0.
 fn exact_surface(jet: &Jet<Rational, 3>) -> Option<LevelSurface64> {
-    let nearest = crate::number::binary::nearest_f64;
     let surface = curvature(jet).ok()?;
     let principal = surface.principal();
     let (mean, spread) = (principal.mean(), principal.spread());
     Some(LevelSurface64 {
-        jet: rounded_jet(jet, |x| Some(nearest(x))).expect("a rational is rounded"),
-        gaussian: nearest(&surface.gaussian),
+        jet: rounded_jet(jet, |x| Some(nearest_f64(x))).expect("a rational is rounded"),
+        gaussian: nearest_f64(&surface.gaussian),
         mean: nearest_sum(mean, &Surd::integer(0)),
         principal: [nearest_sum(mean, spread), nearest_sum(mean, &-spread.clone())],
     })
@@ -220,8 +219,7 @@ fn exact_surface(jet: &Jet<Rational, 3>) -> Option<LevelSurface64> {
 /// The enclosure narrows until its ends round to the same, or to two neighbours: then the exact order of a + b and of the number
 /// half-way decides. It narrows that far, for a number that is not 0 has a width of roundings around it.
 fn nearest_sum(a: &Surd, b: &Surd) -> f64 {
-    let opposite = -b.clone();
-    if *a == opposite {
+    if *a == -b.clone() {
         return 0.0;
     }
     let mut bits = BITS;
@@ -230,22 +228,21 @@ fn nearest_sum(a: &Surd, b: &Surd) -> f64 {
         if let Some(x) = rounding::nearest_within(&lo, &hi) {
             return x;
         }
-        let (x, y) = (crate::number::binary::nearest_f64(&lo), crate::number::binary::nearest_f64(&hi));
-        if lo.cmp0() == hi.cmp0()
-            && x.next_up() == y
-            && let (Some(left), Some(right)) = (Rational::from_f64(x), Rational::from_f64(y))
-        {
-            let middle = (left + right) / 2_u32;
-            // a + b against m: a against m − b, in one field each.
-            let rest = Surd::from(middle.clone()) - b;
-            return match a.cmp(&rest) {
-                std::cmp::Ordering::Less => x,
-                std::cmp::Ordering::Equal => crate::number::binary::nearest_f64(&middle),
-                std::cmp::Ordering::Greater => y,
+        let (x, y) = (nearest_f64(&lo), nearest_f64(&hi));
+        if lo.cmp0() == hi.cmp0() && x.next_up() == y {
+            let middle = (value(x) + value(y)) / 2_u32;
+            // a + b against m is a against m − b: each is in one field.
+            return match a.cmp(&(Surd::from(middle.clone()) - b)) {
+                Ordering::Less => x,
+                Ordering::Equal => nearest_f64(&middle),
+                Ordering::Greater => y,
             };
         }
         bits *= 2;
     }
 }
 
-const _: Sign = Sign::Zero;
+/// x, where ±∞ stands for ±2¹⁰²⁴, the number after the largest one were there no limit.
+fn value(x: f64) -> Rational {
+    Rational::from_f64(x).unwrap_or_else(|| (Rational::from(1) << 1024_u32) * if x > 0.0 { 1 } else { -1 })
+}

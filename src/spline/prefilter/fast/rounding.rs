@@ -1,6 +1,7 @@
 //! From an enclosure to the nearest binary64, where every number of the enclosure has the same.
 
-use super::{INFLATION, powers};
+use super::doubled::INFLATION;
+use super::powers;
 use crate::number::binary::nearest_f64;
 use crate::number::{Integer, Rational};
 use rug::Float;
