@@ -1,10 +1,62 @@
 //! Cubic splines: each entry of spec/spline.md against a second derivation.
 
+mod bsplines;
+mod degree_one;
+mod derivatives;
+mod domain;
+mod fast_exact;
 mod ground;
+mod infinite;
+mod inverse;
+mod spaces;
 
-use isoracle::number::Rational;
+use isoracle::number::{Integer, Rational, Surd};
+use isoracle::spline::signal::{Boundary, Signal};
+use proptest::prelude::*;
+use std::collections::BTreeMap;
 
 /// n/d.
 fn q(n: i64, d: i64) -> Rational {
     Rational::from((n, d))
+}
+
+/// Both boundary rules.
+const RULES: [Boundary; 2] = [Boundary::Mirror, Boundary::Periodic];
+
+fn boundary() -> impl Strategy<Value = Boundary> {
+    prop_oneof![Just(Boundary::Mirror), Just(Boundary::Periodic)]
+}
+
+/// Small fractions, in which coincidences are common, and some large ones.
+fn number() -> impl Strategy<Value = Rational> {
+    prop_oneof![
+        4 => (-9..=9_i64).prop_map(|n| q(n, 1)),
+        2 => (-40..=40_i64, 1..=8_i64).prop_map(|(n, d)| q(n, d)),
+        1 => (any::<i64>(), 1..i64::MAX).prop_map(|(n, d)| q(n, d)),
+    ]
+}
+
+/// A signal on ℤ that is 0 but at −5, …, 5.
+fn few() -> impl Strategy<Value = BTreeMap<Integer, Rational>> {
+    prop::collection::vec(number(), 11)
+        .prop_map(|values| values.into_iter().enumerate().map(|(i, g)| (Integer::from(i) - 5, g)).collect())
+}
+
+/// What stands at k.
+fn at(g: &BTreeMap<Integer, Rational>, k: &Integer) -> Rational {
+    g.get(k).cloned().unwrap_or_default()
+}
+
+/// a + b√3.
+fn root3(a: i64, b: i64) -> Surd {
+    Surd::new(q(a, 1), q(b, 1), &q(3, 1)).expect("3 is not negative")
+}
+
+fn sum<'a>(numbers: impl IntoIterator<Item = &'a Rational>) -> Rational {
+    numbers.into_iter().fold(Rational::new(), |sum, x| sum + x)
+}
+
+fn signal<const N: usize>(shape: [usize; N], values: &[Rational], boundary: Boundary) -> Signal<N> {
+    let count = shape.iter().product();
+    Signal::new(shape, values[..count].to_vec(), boundary).expect("the shape fits")
 }
