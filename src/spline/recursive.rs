@@ -4,7 +4,7 @@ use super::impulse::pole;
 use super::signal::{Boundary, SignalError, check_shape};
 use crate::number::{OrderedField, Rational, Ring, Surd};
 
-/// The coefficients of a line of samples by M. Unser's recursive filter ("Splines: a perfect fit", 1999), exactly, in ℚ(√3). SP-172.
+/// The coefficients of a line of samples by the recursive filter of M. Unser, A. Aldroubi and M. Eden (1991), exactly, in ℚ(√3). SP-172.
 ///
 /// c⁺[k] = 6g[k] + z·c⁺[k−1], then c[k] = z(c[k+1] − c⁺[k]). The starting values are the sums of the infinitely many samples before,
 /// by geometric series. Mirror, m = n − 1: c⁺[0] = 6(g[0] + zᵐg[m] + Σ (zᵏ + z^(2m−k))g[k])/(1 − z²ᵐ) over 0 < k < m, and
