@@ -217,6 +217,7 @@ mod sp_146 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         /// At a knot the derivatives are those of the pieces on both sides: extrapolated from five values each.
         #[test]
         fn derivatives_are_continuous_across_the_grid(numbers in prop::collection::vec(number(), 27), k in prop::array::uniform3(-3..4_i64), axis in 0..3_usize) {
@@ -237,6 +238,11 @@ mod sp_146 {
             }
         }
     }
+}
+
+/// Sums of 64 terms, hundreds of them a case.
+fn cases() -> ProptestConfig {
+    ProptestConfig::with_cases(if std::env::var_os("ISORACLE_LONG").is_some() { 256 } else { 16 })
 }
 
 fn volume() -> impl Strategy<Value = (Spline<3>, [Rational; 3])> {
@@ -283,6 +289,7 @@ mod sp_149 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn the_sum_is_the_tensor_product((spline, at) in volume()) {
             prop_assert_eq!(partial::f(&spline, &at), spline.value(&at));
@@ -311,6 +318,7 @@ mod sp_150 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn fx_is_the_sum(case in volume()) {
             is_the_derivative(partial::fx, &[0], &case)?;
@@ -322,6 +330,7 @@ mod sp_151 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn fy_is_the_sum(case in volume()) {
             is_the_derivative(partial::fy, &[1], &case)?;
@@ -333,6 +342,7 @@ mod sp_152 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn fz_is_the_sum(case in volume()) {
             is_the_derivative(partial::fz, &[2], &case)?;
@@ -344,6 +354,7 @@ mod sp_153 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn fxx_is_the_sum(case in volume()) {
             is_the_derivative(partial::fxx, &[0, 0], &case)?;
@@ -355,6 +366,7 @@ mod sp_154 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn fxy_is_the_sum(case in volume()) {
             is_the_derivative(partial::fxy, &[0, 1], &case)?;
@@ -366,6 +378,7 @@ mod sp_155 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn fxz_is_the_sum(case in volume()) {
             is_the_derivative(partial::fxz, &[0, 2], &case)?;
@@ -377,6 +390,7 @@ mod sp_156 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn fyy_is_the_sum(case in volume()) {
             is_the_derivative(partial::fyy, &[1, 1], &case)?;
@@ -388,6 +402,7 @@ mod sp_157 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn fyz_is_the_sum(case in volume()) {
             is_the_derivative(partial::fyz, &[1, 2], &case)?;
@@ -399,6 +414,7 @@ mod sp_158 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn fzz_is_the_sum(case in volume()) {
             is_the_derivative(partial::fzz, &[2, 2], &case)?;
@@ -410,6 +426,7 @@ mod sp_159 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn mixed_derivatives_do_not_depend_on_the_order((spline, at) in volume()) {
             let value = |at: &[Rational; 3]| partial::f(&spline, at);
