@@ -25,7 +25,7 @@ pub fn by_truncated_powers(n: usize) -> Piecewise {
     let mut sum = Piecewise::zero();
     for j in 0..=n + 1 {
         let at = Rational::from(j) - Rational::from((n + 1, 2));
-        let signed = if j % 2 == 0 { binomial.clone() } else { Integer::from(-&binomial) };
+        let signed = if j.is_multiple_of(2) { binomial.clone() } else { Integer::from(-&binomial) };
         sum = sum + &Piecewise::truncated_power(&at, n).scaled(&Rational::from((signed, factorial(n))));
         binomial = binomial * Integer::from(n + 1 - j) / Integer::from(j + 1);
     }

@@ -28,7 +28,7 @@ pub fn convolution(g: &Samples, h: impl Fn(&Integer) -> Surd, k: &Integer) -> Su
 pub fn power_of_pole(k: &Integer) -> Option<Surd> {
     let n = Integer::from(k.abs_ref()).to_u32().filter(|n| *n <= 1 << 30)?;
     let (p, q) = convergent(2 * n);
-    let sign = if n % 2 == 0 { 1 } else { -1 };
+    let sign = if n.is_multiple_of(2) { 1 } else { -1 };
     // (2 − √3)ⁿ is the conjugate of (2 + √3)ⁿ.
     let q = if k.cmp0().is_lt() { q } else { -q };
     Some(Surd::new(Rational::from(p * sign), Rational::from(q * sign), &Rational::from(3)).expect("3 is not negative"))
@@ -128,7 +128,7 @@ pub fn absolute_sum(n: u32) -> Surd {
     // √3(1 + 2(r + … + rⁿ)) = √3(1 + 2(r − rⁿ⁺¹)/(1 − r)), r = 2 − √3.
     let r = -pole();
     let power = power_of_pole(&Integer::from(n + 1)).expect("n is below the limit");
-    let power = if n % 2 == 0 { -power } else { power };
+    let power = if n.is_multiple_of(2) { -power } else { power };
     let inverse = (Surd::integer(1) - &r).inverse().expect("r is not 1");
     let sum = (r - &power) * &inverse * &Surd::integer(2) + &Surd::integer(1);
     sum * &Surd::sqrt(&Rational::from(3)).expect("3 is not negative")

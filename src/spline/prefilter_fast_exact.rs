@@ -125,7 +125,7 @@ impl Axis {
                 Boundary::Mirror if d > 0 && d < n - 1 => 2,
                 Boundary::Mirror | Boundary::Periodic => 1,
             };
-            numerator * if e % 2 == 0 { weight } else { -weight }
+            numerator * if e.is_multiple_of(2) { weight } else { -weight }
         };
         Axis { boundary, denominator: convergent(word).1, first_row: (0..n).map(entry).collect() }
     }

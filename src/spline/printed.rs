@@ -9,7 +9,7 @@ use crate::number::{Integer, Rational};
 /// "f(t) = (1 − t)g[i] + t·g[i + 1]", i and t the integer and the fractional part of x: the argument t, and the value that f is given there. SP-101.
 pub fn linear(g: &OnIntegers, x: &Rational) -> (Rational, Rational) {
     let (i, t) = split(x);
-    let value = Rational::from(1 - &t) * g(&i) + Rational::from(&t * g(&(i + 1)));
+    let value = Rational::from(1 - &t) * g(&i) + &t * g(&(i + 1));
     (t, value)
 }
 

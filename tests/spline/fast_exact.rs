@@ -28,7 +28,7 @@ mod sp_148 {
         let (shape, mut values) = (signal.shape(), signal.values().to_vec());
         for axis in axes {
             let stride: usize = shape[..axis].iter().product();
-            for first in (0..values.len()).filter(|i| (i / stride) % shape[axis] == 0) {
+            for first in (0..values.len()).filter(|i| (i / stride).is_multiple_of(shape[axis])) {
                 let line: Vec<Rational> = (0..shape[axis]).map(|k| values[first + k * stride].clone()).collect();
                 for (k, c) in solve_by_inverse(&line, signal.boundary()).expect("long enough").into_iter().enumerate() {
                     values[first + k * stride] = c;

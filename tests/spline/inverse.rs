@@ -1,6 +1,6 @@
 //! Finite signals: inverses written out, determinants, the recursive filter.
 
-use super::{RULES, boundary, number, q, root3, signal};
+use super::{RULES, boundary, number, pivots, q, root3, signal};
 use isoracle::number::{Integer, OrderedField, Polynomial, Rational, Ring, Sign, Surd};
 use isoracle::spline::impulse::{coefficient, inverse_filter};
 use isoracle::spline::inverse::{
@@ -37,24 +37,10 @@ fn written_out(n: usize, boundary: Boundary) -> Vec<Vec<i64>> {
 
 /// The determinant by elimination.
 fn eliminated(rows: &[Vec<i64>]) -> Rational {
-    let mut rows: Vec<Vec<Rational>> = rows.iter().map(|row| row.iter().map(|a| q(*a, 1)).collect()).collect();
-    let mut product = q(1, 1);
-    for column in 0..rows.len() {
-        let Some(pivot) = (column..rows.len()).find(|&r| rows[r][column] != 0) else { return q(0, 1) };
-        if pivot != column {
-            rows.swap(pivot, column);
-            product = -product;
-        }
-        product *= rows[column][column].clone();
-        for r in column + 1..rows.len() {
-            let factor = Rational::from(&rows[r][column] / &rows[column][column]);
-            for c in column..rows.len() {
-                let part = Rational::from(&factor * &rows[column][c]);
-                rows[r][c] -= part;
-            }
-        }
-    }
-    product
+    let rows = rows.iter().map(|row| row.iter().map(|a| q(*a, 1)).collect()).collect();
+    let n = Vec::len(&rows);
+    let (rank, product) = pivots(rows);
+    if rank < n { q(0, 1) } else { product }
 }
 
 fn size(x: Surd) -> Surd {
@@ -129,10 +115,10 @@ mod sp_167 {
 fn inverts(n: usize, boundary: Boundary) {
     let a = written_out(n, boundary);
     for i in 0..n {
-        for j in 0..n {
+        (0..n).for_each(|j| {
             let product = (0..n).fold(Rational::new(), |sum, k| sum + entry(n, boundary, i, k) * q(a[k][j], 6));
             assert_eq!(product, q(i64::from(i == j), 1), "{boundary:?} {n} {i} {j}");
-        }
+        });
     }
 }
 
@@ -267,12 +253,12 @@ mod sp_173 {
         }
         let samples = [(10, 3), (12, -5), (13, 7)].map(|(k, v)| (Integer::from(k), q(v, 1))).into();
         let c = prefilter::solve(&g, Boundary::Periodic);
-        for k in 6..18_usize {
+        for (k, c) in c.iter().enumerate().take(18).skip(6) {
             let infinite = coefficient(&samples, &Integer::from(k)).expect("near");
             let bound = [(10_usize, 3), (12, 5), (13, 7)].iter().fold(Surd::integer(0), |sum, (j, v)| {
                 sum + &(periodic_excess_bound(n, k.abs_diff(*j) as u32) * &Surd::integer(*v))
             });
-            let difference = size(Surd::from(c[k].clone()) - &infinite);
+            let difference = size(Surd::from(c.clone()) - &infinite);
             assert!(difference <= bound && bound < Surd::from(q(1, 100_000)), "{k}");
         }
     }

@@ -60,3 +60,29 @@ fn signal<const N: usize>(shape: [usize; N], values: &[Rational], boundary: Boun
     let count = shape.iter().product();
     Signal::new(shape, values[..count].to_vec(), boundary).expect("the shape fits")
 }
+
+/// The number of pivots of a matrix, and their product with the sign of the exchanges of rows, by elimination.
+fn pivots(mut rows: Vec<Vec<Rational>>) -> (usize, Rational) {
+    let (mut rank, mut product) = (0, q(1, 1));
+    for column in 0..rows.first().map_or(0, Vec::len) {
+        let Some(pivot) = (rank..rows.len()).find(|&r| rows[r][column] != 0) else { continue };
+        if pivot != rank {
+            rows.swap(rank, pivot);
+            product = -product;
+        }
+        let (above, below) = rows.split_at_mut(rank + 1);
+        let pivot_row = &above[rank];
+        product *= &pivot_row[column];
+        for row in below {
+            let factor = Rational::from(&row[column] / &pivot_row[column]);
+            row.iter_mut().zip(pivot_row).for_each(|(a, p)| *a -= Rational::from(&factor * p));
+        }
+        rank += 1;
+    }
+    (rank, product)
+}
+
+/// The rank of a matrix.
+fn rank(rows: Vec<Vec<Rational>>) -> usize {
+    pivots(rows).0
+}
