@@ -43,7 +43,7 @@ pub fn kernel(a: &Surd, b: &Surd, k: &Integer) -> Option<Surd> {
     Some(falling * a + &(growing * b))
 }
 
-/// f(x) of the spline with coefficients on ℤ: SP-128 asks it of those that solve (12) for g = 0.
+/// f(x) = Σ c[k]B₃(x − k) of any coefficients on ℤ. SP-128.
 pub fn value(c: impl Fn(&Integer) -> Surd, x: &Rational) -> Surd {
     let (i, t) = split(x);
     weights(&t, 0)
@@ -53,7 +53,7 @@ pub fn value(c: impl Fn(&Integer) -> Surd, x: &Rational) -> Surd {
 }
 
 /// c[k] of the coefficients that solve (12) and have the given c[0] and c[1], by c[k+1] = 6g[k] − 4c[k] − c[k−1] and the same
-/// backward: for every signal g there are such. SP-129.
+/// backward, |k| steps: for every signal g there are such. SP-129.
 #[doc(alias = "SP-129")]
 pub fn solution(g: impl Fn(&Integer) -> Rational, [c0, c1]: [&Rational; 2], k: &Integer) -> Rational {
     let (mut from, mut to) = (c0.clone(), c1.clone());
@@ -123,6 +123,9 @@ pub fn z_transform(zeta: &Rational) -> Option<Surd> {
 }
 
 /// Σ |h[k]| over |k| ≤ n, which rises to 3: bounded coefficients are at most three times the greatest sample. SP-182.
+///
+/// # Panics
+/// Iff n ≥ 2³⁰.
 #[doc(alias = "SP-182")]
 pub fn absolute_sum(n: u32) -> Surd {
     // √3(1 + 2(r + … + rⁿ)) = √3(1 + 2(r − rⁿ⁺¹)/(1 − r)), r = 2 − √3.

@@ -33,6 +33,9 @@ pub fn numerators(k: usize) -> Vec<Integer> {
 }
 
 /// Σ h[d + mp] over all integers m, the period p ≥ 1: √3(z^e + z^(p−e))/(1 − zᵖ) with e = d mod p, by geometric series. SP-166.
+///
+/// # Panics
+/// Iff p = 0.
 #[doc(alias = "SP-166")]
 pub fn images(d: u32, period: u32) -> Surd {
     let e = d % period;
@@ -137,6 +140,9 @@ pub fn interior_determinant(n: usize) -> Integer {
 /// By how much the periodic inverse of period n is above the infinite one at the distance d ≤ n: √3(z^(n−d) + z^(n+d))/(1 − zⁿ). SP-173.
 ///
 /// In absolute value it is at most 2√3·|z|^(n−d)/(1 − |z|ⁿ).
+///
+/// # Panics
+/// Iff n = 0 or d > n.
 #[doc(alias = "SP-173")]
 pub fn periodic_excess(n: u32, d: u32) -> Surd {
     let denominator = (Surd::integer(1) - &z_power(n)).inverse().expect("|z| < 1");
@@ -144,6 +150,9 @@ pub fn periodic_excess(n: u32, d: u32) -> Surd {
 }
 
 /// The bound of [`periodic_excess`]: 2√3·|z|^(n−d)/(1 − |z|ⁿ). SP-173.
+///
+/// # Panics
+/// Iff n = 0 or d > n.
 pub fn periodic_excess_bound(n: u32, d: u32) -> Surd {
     let modulus = -pole();
     let power = |k: u32| (0..k).fold(Surd::integer(1), |power, _| power * &modulus);

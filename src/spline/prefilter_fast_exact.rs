@@ -24,8 +24,8 @@ pub struct IntegerSpline<const N: usize> {
     /// The first axis fastest.
     numerators: Vec<Integer>,
     denominator: Integer,
-    /// The shape and the boundary rule, and values that are not looked at.
-    signal: Signal<N>,
+    shape: [usize; N],
+    boundary: Boundary,
     /// At m + 1 the offset along an axis of the coefficient that stands at m = −1, …, period + 1.
     offsets: [Vec<usize>; N],
 }
@@ -56,13 +56,16 @@ impl<const N: usize> IntegerSpline<N> {
             (0..coefficients.boundary().period(shape[axis]) + 3).map(|m| index(m) * stride).collect()
         });
         let numerators = values.iter().map(numerator).collect();
-        IntegerSpline { numerators, denominator, signal: coefficients.clone(), offsets }
+        IntegerSpline { numerators, denominator, shape, boundary: coefficients.boundary(), offsets }
     }
 
     /// The same spline with rational coefficients.
     pub fn spline(&self) -> Spline<N> {
         let rational = |c: &Integer| Rational::from((c.clone(), self.denominator.clone()));
-        Spline::new(self.signal.with_values(self.numerators.par_iter().map(rational).collect()))
+        let values = self.numerators.par_iter().map(rational).collect();
+        Spline::new(
+            Signal::new(self.shape, values, self.boundary).expect("the shape of the signal that it was made from"),
+        )
     }
 
     /// ∂ⁿf, as [`Spline::derivative`].

@@ -5,6 +5,7 @@ use isoracle::number::{Polynomial, Rational};
 use isoracle::spline::basis::weights;
 use isoracle::spline::bspline::{b1, b3, basis, by_de_boor, by_truncated_powers, closed_form, indicator};
 use isoracle::spline::piecewise::{Piecewise, PiecewiseError, Smoothness};
+use isoracle::spline::space::{generator, membership};
 use proptest::prelude::*;
 
 const DEGREES: std::ops::RangeInclusive<usize> = 0..=7;
@@ -60,6 +61,16 @@ mod sp_116 {
         let differs: Vec<i64> = (-9..=9).filter(|n| turned(&q(*n, 4)) != indicator.evaluate(&q(*n, 4))).collect();
         assert_eq!(differs, [-2, 2]);
         assert_eq!([indicator.evaluate(&q(-1, 2)), indicator.evaluate(&q(1, 2))], [q(0, 1), q(1, 1)]);
+    }
+
+    #[test]
+    fn from_a_b_spline_of_even_degree_that_eq_10_wants_the_next_one_is_out_of_place() {
+        let moved = generator(2);
+        assert_eq!((membership(&moved, 2), membership(&basis(2), 2).is_ok()), (Ok(()), false));
+        assert_eq!(moved.averaged(), basis(3).shifted(&q(1, 2)));
+        assert!(membership(&moved.averaged(), 3).is_err() && membership(&basis(3), 3).is_ok());
+        // Nor does (10) fix a factor: twice B₃ generates S₃ too.
+        assert_ne!(basis(2).averaged(), basis(3).scaled(&q(2, 1)));
     }
 
     #[test]

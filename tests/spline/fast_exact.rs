@@ -9,6 +9,10 @@ use isoracle::spline::signal::{Boundary, Signal};
 use isoracle::spline::tensor::Spline;
 use proptest::prelude::*;
 
+fn cases() -> ProptestConfig {
+    ProptestConfig::with_cases(if std::env::var_os("ISORACLE_LONG").is_some() { 512 } else { 64 })
+}
+
 /// Any real point: at samples, between, and beyond.
 fn point<const N: usize>() -> impl Strategy<Value = [Rational; N]> {
     let coordinate = prop_oneof![
@@ -39,6 +43,7 @@ mod sp_148 {
     }
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn the_axes_may_be_solved_in_any_order(
             shape in prop::array::uniform3(2..5_usize), numbers in prop::collection::vec(number(), 64), boundary in boundary(),
@@ -68,6 +73,7 @@ mod sp_174 {
     }
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn it_is_the_plain_one_in_1_to_3_dimensions(
             shape in prop::array::uniform3(2..6_usize), numbers in prop::collection::vec(number(), 125), boundary in boundary(),
@@ -147,6 +153,7 @@ mod sp_181 {
     use super::*;
 
     proptest! {
+        #![proptest_config(cases())]
         #[test]
         fn many_points_one_after_the_other(
             numbers in prop::collection::vec(number(), 20), boundary in boundary(), points in prop::collection::vec(point::<2>(), 0..12),
