@@ -16,7 +16,8 @@ pub fn interpolate(g: &OnIntegers, x: &Rational) -> Rational {
     Rational::from(1 - &t) * g(&i) + t * g(&(i + 1))
 }
 
-/// g[k − 1] − 2g[k] + g[k + 1], by how much the slope of the linear interpolant changes at k: it is differentiable there iff this is 0. SP-103.
+/// g[k − 1] − 2g[k] + g[k + 1], by how much the slope of the linear interpolant changes at k: it is differentiable there
+/// iff this is 0. SP-103.
 #[doc(alias = "SP-103")]
 pub fn slope_change(g: &OnIntegers, k: &Integer) -> Rational {
     g(&Integer::from(k - 1)) + g(&Integer::from(k + 1)) - g(k) * 2

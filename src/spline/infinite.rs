@@ -1,7 +1,8 @@
 //! Signals on ℤ without a bound: what solves the interpolation problem (12), and how far it is the only one.
 //!
-//! Coefficients c with (c[k−1] + 4c[k] + c[k+1])/6 = g[k] are given by any two neighbours. Those of g = 0 are a·z^k + b·z^−k; among
-//! bounded ones only 0, so that "the" inverse of the mask and "the" spline through a signal are the bounded ones.
+//! Coefficients c with (c[k−1] + 4c[k] + c[k+1])/6 = g[k] are given by any two neighbours. Those of g = 0 are a·z^k +
+//! b·z^−k; among bounded ones only 0, so that "the" inverse of the mask and "the" spline through a signal are the bounded
+//! ones.
 
 use super::basis::{split, weights};
 use super::impulse::{Samples, pole};
@@ -78,7 +79,8 @@ pub fn solution(g: impl Fn(&Integer) -> Rational, [c0, c1]: [&Rational; 2], k: &
     to
 }
 
-/// 0 for k ≤ 0, else (−1)ᵏ⁻¹·6Q with P + Q√3 = (2 + √3)ᵏ: 6, −24, 90, …: an inverse of the mask that is 0 to the left and grows without bound. SP-132.
+/// 0 for k ≤ 0, else (−1)ᵏ⁻¹·6Q with P + Q√3 = (2 + √3)ᵏ: 6, −24, 90, …: an inverse of the mask that is 0 to the left and
+/// grows without bound. SP-132.
 ///
 /// `None` where k > 2³⁰.
 #[doc(alias = "SP-132")]
@@ -105,7 +107,8 @@ pub fn filter_of(z: &Surd) -> Option<Surd> {
     Some(z.clone() * &Surd::integer(-6) * &denominator.inverse()?)
 }
 
-/// Σ h[k]ζ^−k, the Z transform of the inverse filter on the annulus |z| < |ζ| < 1/|z|: √3·(1/(1 − zζ) + 1/(1 − z/ζ) − 1). SP-135.
+/// Σ h[k]ζ^−k, the Z transform of the inverse filter on the annulus |z| < |ζ| < 1/|z|: √3·(1/(1 − zζ) + 1/(1 − z/ζ) − 1).
+/// SP-135.
 ///
 /// `None` outside of the annulus.
 #[doc(alias = "SP-135")]

@@ -1,4 +1,5 @@
-//! The inverse of the interpolation problem of a finite signal, written out: by images of the infinite inverse, and in integers.
+//! The inverse of the interpolation problem of a finite signal, written out: by images of the infinite inverse, and in
+//! integers.
 //!
 //! With A the n×n matrix of (12) under a boundary rule, c = A⁻¹g. Everything is expressed by the convergents A_k/B_k of √3.
 
@@ -137,7 +138,8 @@ pub fn interior_determinant(n: usize) -> Integer {
     convergent(word(2 * n + 2)).1
 }
 
-/// By how much the periodic inverse of period n is above the infinite one at the distance d ≤ n: √3(z^(n−d) + z^(n+d))/(1 − zⁿ). SP-173.
+/// By how much the periodic inverse of period n is above the infinite one at the distance d ≤ n: √3(z^(n−d) + z^(n+d))/(1 −
+/// zⁿ). SP-173.
 ///
 /// In absolute value it is at most 2√3·|z|^(n−d)/(1 − |z|ⁿ).
 ///

@@ -147,7 +147,8 @@ impl Piecewise {
 
     /// f ⋆ g (x) = ∫ f(t)g(x − t) dt of two functions that are 0 far to the left. SP-117.
     ///
-    /// Each is a sum of truncated powers, and (x − a)ᵐ₊ ⋆ (x − b)ⁿ₊ = m! n!/(m + n + 1)! · (x − a − b)ᵐ⁺ⁿ⁺¹₊ (Euler's beta integral).
+    /// Each is a sum of truncated powers, and (x − a)ᵐ₊ ⋆ (x − b)ⁿ₊ = m! n!/(m + n + 1)! · (x − a − b)ᵐ⁺ⁿ⁺¹₊ (Euler's beta
+    /// integral).
     ///
     /// # Errors
     /// `Unbounded`.

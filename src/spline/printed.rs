@@ -6,7 +6,8 @@ use super::degree_one::OnIntegers;
 use super::piecewise::{Piecewise, Smoothness};
 use crate::number::{Integer, Rational};
 
-/// "f(t) = (1 − t)g[i] + t·g[i + 1]", i and t the integer and the fractional part of x: the argument t, and the value that f is given there. SP-101.
+/// "f(t) = (1 − t)g[i] + t·g[i + 1]", i and t the integer and the fractional part of x: the argument t, and the value that
+/// f is given there. SP-101.
 pub fn linear(g: &OnIntegers, x: &Rational) -> (Rational, Rational) {
     let (i, t) = split(x);
     let value = Rational::from(1 - &t) * g(&i) + &t * g(&(i + 1));
@@ -18,7 +19,8 @@ pub fn has_degree_everywhere(f: &Piecewise, n: usize) -> bool {
     f.pieces().iter().all(|piece| piece.degree() == Some(n))
 }
 
-/// S₀ as printed: a polynomial of degree 0 on each closed interval [k, k + 1]. Two neighbours share an end, so they are equal. SP-106.
+/// S₀ as printed: a polynomial of degree 0 on each closed interval [k, k + 1]. Two neighbours share an end, so they are
+/// equal. SP-106.
 pub fn is_in_s0(f: &Piecewise) -> bool {
     f.pieces().iter().all(|piece| piece.degree().unwrap_or(0) == 0) && f.smoothness() != Smoothness::Discontinuous
 }

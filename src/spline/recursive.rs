@@ -4,11 +4,13 @@ use super::impulse::pole;
 use super::signal::{Boundary, SignalError, check_shape};
 use crate::number::{OrderedField, Rational, Ring, Surd};
 
-/// The coefficients of a line of samples by the recursive filter of M. Unser, A. Aldroubi and M. Eden (1991), exactly, in ℚ(√3). SP-172.
+/// The coefficients of a line of samples by the recursive filter of M. Unser, A. Aldroubi and M. Eden (1991), exactly, in
+/// ℚ(√3). SP-172.
 ///
-/// c⁺[k] = 6g[k] + z·c⁺[k−1], then c[k] = z(c[k+1] − c⁺[k]). The starting values are the sums of the infinitely many samples before,
-/// by geometric series. Mirror, m = n − 1: c⁺[0] = 6(g[0] + zᵐg[m] + Σ (zᵏ + z^(2m−k))g[k])/(1 − z²ᵐ) over 0 < k < m, and
-/// c[m] = z/(z² − 1)·(c⁺[m] + z·c⁺[m−1]). Periodic: c⁺[0] = 6·Σ zᵏg[−k]/(1 − zⁿ) and c[n−1] = −z·Σ zᵏc⁺[n−1+k]/(1 − zⁿ), 0 ≤ k < n.
+/// c⁺[k] = 6g[k] + z·c⁺[k−1], then c[k] = z(c[k+1] − c⁺[k]). The starting values are the sums of the infinitely many
+/// samples before, by geometric series. Mirror, m = n − 1: c⁺[0] = 6(g[0] + zᵐg[m] + Σ (zᵏ + z^(2m−k))g[k])/(1 − z²ᵐ) over
+/// 0 < k < m, and c[m] = z/(z² − 1)·(c⁺[m] + z·c⁺[m−1]). Periodic: c⁺[0] = 6·Σ zᵏg[−k]/(1 − zⁿ) and c[n−1] = −z·Σ
+/// zᵏc⁺[n−1+k]/(1 − zⁿ), 0 ≤ k < n.
 ///
 /// # Errors
 /// `Side` iff there are fewer than two samples.

@@ -82,7 +82,8 @@ pub fn coefficient(f: &Piecewise, n: usize, k: &Integer) -> Result<Rational, Not
     Ok(coefficient_at(f, n, k, n / 2))
 }
 
-/// [`coefficient`] of a function known to be in Sₙ, from its piece on the interval-th of the n + 1 intervals of the support. SP-113.
+/// [`coefficient`] of a function known to be in Sₙ, from its piece on the interval-th of the n + 1 intervals of the
+/// support. SP-113.
 ///
 /// # Panics
 /// Iff there is no such interval.
@@ -106,7 +107,8 @@ pub fn coefficient_at(f: &Piecewise, n: usize, k: &Integer, interval: usize) -> 
     sum
 }
 
-/// The n + 1 polynomials that the B-splines of Sₙ are on (0, 1], those to the left first: a basis of all polynomials of degree ≤ n. SP-180.
+/// The n + 1 polynomials that the B-splines of Sₙ are on (0, 1], those to the left first: a basis of all polynomials of
+/// degree ≤ n. SP-180.
 #[doc(alias = "SP-180")]
 pub fn local_basis(n: usize) -> Vec<Polynomial> {
     let (b, one) = (generator(n), Rational::from(1));

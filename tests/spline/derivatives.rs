@@ -32,7 +32,9 @@ mod sp_137 {
         #[test]
         fn derivatives_go_through_the_sum(c in few(), n in -70..70_i64) {
             let (x, f) = (q(n, 8), combination(&c, 3));
-            let sum = |b: fn(&Rational) -> Rational| c.iter().fold(Rational::new(), |sum, (k, c)| sum + c * b(&Rational::from(&x - k)));
+            let sum = |b: fn(&Rational) -> Rational| {
+                c.iter().fold(Rational::new(), |sum, (k, c)| sum + c * b(&Rational::from(&x - k)))
+            };
             let derivatives = [f.clone(), f.derivative(), f.derivative().derivative()].map(|f| f.evaluate(&x));
             prop_assert_eq!(&derivatives, &[sum(b3), sum(b3_first), sum(b3_second)]);
             let spline = line(&c);
@@ -220,7 +222,9 @@ mod sp_146 {
         #![proptest_config(cases())]
         /// At a knot the derivatives are those of the pieces on both sides: extrapolated from five values each.
         #[test]
-        fn derivatives_are_continuous_across_the_grid(numbers in prop::collection::vec(number(), 27), k in prop::array::uniform3(-3..4_i64), axis in 0..3_usize) {
+        fn derivatives_are_continuous_across_the_grid(
+            numbers in prop::collection::vec(number(), 27), k in prop::array::uniform3(-3..4_i64), axis in 0..3_usize,
+        ) {
             let spline = Spline::new(signal([3; 3], &numbers, Boundary::Mirror));
             let [x, y, z] = k.map(|k| q(8 * k + 3, 8));
             for order in 0..3_u32 {

@@ -156,7 +156,8 @@ mod sp_181 {
         #![proptest_config(cases())]
         #[test]
         fn many_points_one_after_the_other(
-            numbers in prop::collection::vec(number(), 20), boundary in boundary(), points in prop::collection::vec(point::<2>(), 0..12),
+            numbers in prop::collection::vec(number(), 20), boundary in boundary(),
+            points in prop::collection::vec(point::<2>(), 0..12),
         ) {
             let plain: Spline<2> = interpolate(&signal([4, 5], &numbers, boundary));
             let fast = IntegerSpline::new(plain.coefficients());

@@ -24,8 +24,8 @@ fn cut(k: i64, n: usize) -> Piecewise {
 mod sp_104 {
     use super::*;
 
-    /// A second derivative that exists everywhere has no jumps where it is made of polynomials: (f′(k + s) − f′(k))/s for small s
-    /// of either sign are the two pieces' second derivatives, up to a multiple of s.
+    /// A second derivative that exists everywhere has no jumps where it is made of polynomials: (f′(k + s) − f′(k))/s for
+    /// small s of either sign are the two pieces' second derivatives, up to a multiple of s.
     #[test]
     fn a_piecewise_polynomial_without_c2_lacks_a_second_derivative_somewhere() {
         for f in [basis(1), basis(2), cut(0, 1), cut(0, 2)] {
