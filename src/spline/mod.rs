@@ -5,7 +5,17 @@
 //! dimensions the tensor product, is defined at every real point, and is C².
 
 pub mod basis;
+pub mod bspline;
+pub mod degree_one;
 pub mod impulse;
+pub mod infinite;
+pub mod inverse;
+pub mod partial;
+pub mod piecewise;
 pub mod prefilter;
+pub mod prefilter_fast_exact;
+pub mod printed;
+pub mod recursive;
 pub mod signal;
+pub mod space;
 pub mod tensor;

@@ -1,5 +1,7 @@
 //! Finite signals with a boundary rule.
 
+use crate::number::binary::from_f64;
+use crate::number::text::NumberError;
 use crate::number::{Integer, Rational};
 use thiserror::Error;
 
@@ -44,6 +46,14 @@ pub enum SignalError {
     /// The shape asks for more samples than can be addressed.
     #[error("values: the shape needs more samples than can be counted")]
     TooLarge,
+    /// A sample is NaN or infinite.
+    #[error("values[{index}]: {error}")]
+    Sample {
+        /// Its place among the values.
+        index: usize,
+        /// What it is.
+        error: NumberError,
+    },
     /// The shape asks for another number of samples.
     #[error("values: the shape needs {expected} samples, found {found}")]
     Values {
@@ -68,6 +78,17 @@ impl<const N: usize> Signal<N> {
     pub fn new(shape: [usize; N], values: Vec<Rational>, boundary: Boundary) -> Result<Signal<N>, SignalError> {
         check_shape(&shape, values.len())?;
         Ok(Signal { shape, values, boundary })
+    }
+
+    /// From binary64, each taken exactly. SP-177.
+    ///
+    /// # Errors
+    /// As [`Signal::new`], or iff a value is NaN or infinite.
+    #[doc(alias = "SP-177")]
+    pub fn of_f64s(shape: [usize; N], values: &[f64], boundary: Boundary) -> Result<Signal<N>, SignalError> {
+        check_shape(&shape, values.len())?;
+        let exact = |(index, x): (usize, &f64)| from_f64(*x).map_err(|error| SignalError::Sample { index, error });
+        Signal::new(shape, values.iter().enumerate().map(exact).collect::<Result<_, _>>()?, boundary)
     }
 
     /// The number of samples along each axis.
@@ -109,8 +130,11 @@ impl<const N: usize> Signal<N> {
 
 /// Whether a number of values fills a shape that a signal can have.
 ///
+/// One sample along an axis is refused: its mirrored signal would have the period 2·1 − 2 = 0. SP-176.
+///
 /// # Errors
 /// As [`Signal::new`].
+#[doc(alias = "SP-176")]
 pub fn check_shape(shape: &[usize], values: usize) -> Result<(), SignalError> {
     if let Some((axis, &n)) = shape.iter().enumerate().find(|(_, n)| **n < 2) {
         return Err(SignalError::Side { axis, n });

@@ -8,8 +8,9 @@ use crate::number::{Integer, Rational};
 
 /// The only spline of the signal's shape and boundary rule that takes the signal's values. SP-2.
 ///
-/// One axis after the other, for the tensor product is solved so.
+/// One axis after the other, in any order (SP-148), for the tensor product is solved so. `prefilter_fast_exact` is its fast twin.
 #[doc(alias = "SP-2")]
+#[doc(alias = "SP-148")]
 pub fn interpolate<const N: usize>(signal: &Signal<N>) -> Spline<N> {
     let mut values = signal.values().to_vec();
     let mut stride = 1;
@@ -30,8 +31,12 @@ pub fn interpolate<const N: usize>(signal: &Signal<N>) -> Spline<N> {
 /// The recursion c[k+1] = 6g[k] − 4c[k] − c[k−1] is run from unknown starting values: every c[k] = a + b·p + d·q is affine in
 /// p = c[0] and q = c[1], and what the boundary rule says of the last two fixes p and q. Rounded, this recursion is useless, for it
 /// multiplies errors by 2 + √3 a step; exactly, it is the shortest.
+///
+/// # Panics
+/// Iff n < 2: a [`Signal`] has at least two samples along each axis.
 pub fn solve(g: &[Rational], boundary: Boundary) -> Vec<Rational> {
     let n = g.len();
+    assert!(n >= 2, "a line has at least 2 samples");
     let mut c = vec![Affine::integers(0, 1, 0), Affine::integers(0, 0, 1)];
     for k in 1..=n {
         let six_g = Affine::constant(Rational::from(&g[k % n] * 6_u32));
