@@ -6,6 +6,7 @@ mod implicit_function;
 mod implicit_graph;
 mod level;
 mod motion;
+mod normal_field;
 mod normalize_derivative;
 mod point_kind;
 mod principal_direction;
