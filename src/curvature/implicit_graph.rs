@@ -284,6 +284,7 @@ pub fn bordered_hessian_of_curve<K: Ring>(jet: &Jet<K, 2>) -> Matrix<K, 3, 3> {
 /// # Errors
 /// iff the derivative along the axis is 0.
 #[doc(alias = "CU-313")]
+#[doc(alias = "CU-319")]
 pub fn tangent_basis(jet: &Jet<Rational, 3>, axis: Axis) -> Result<[Vector<Rational, 3>; 2], GraphError> {
     let Graph { first: [gu, gv], .. } = graph(&turned(jet, axis))?;
     let back = |[u, v, w]: [Rational; 3]| {

@@ -121,7 +121,8 @@ impl Affine {
         Ok(Affine { linear, inverse, translation })
     }
 
-    /// A rigid motion x ↦ Rx + b.
+    /// A rigid motion x ↦ Rx + b. It keeps E, F, G, and so areas. CU-380.
+    #[doc(alias = "CU-380")]
     pub fn rigid(rotation: &Orthogonal, translation: Vector<Rational, 3>) -> Affine {
         Affine { linear: rotation.0.clone(), inverse: rotation.0.transposed(), translation }
     }

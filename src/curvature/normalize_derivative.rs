@@ -25,6 +25,7 @@ pub fn normalize_derivative(slope: &Rational, x: &Rational, precision: u32) -> R
 /// # Errors
 /// iff λ ≤ 0.
 #[doc(alias = "CU-365")]
+#[doc(alias = "CU-379")]
 pub fn normalized_curvature(slope: &Rational, k: &Surd, precision: u32) -> Result<Interval, SlopeError> {
     if slope.cmp0() != Ordering::Greater {
         return Err(SlopeError(slope.clone()));

@@ -398,3 +398,21 @@ mod cu_378 {
         assert_eq!((sign(&bowl), sign(&there)), (Sign::Positive, Sign::Positive));
     }
 }
+
+mod cu_380 {
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn rigid_motions_keep_the_first_form_and_scalings_multiply_it(surface in surface(), r in orthogonal(), factor in small()) {
+            let before = FundamentalForms::new(&surface);
+            let after = FundamentalForms::new(&moved_surface(&surface, &Affine::rigid(&r, Vector::zero())));
+            prop_assert_eq!(&after.first, &before.first);
+            prop_assert_eq!(after.w_squared(), before.w_squared());
+            let Ok(scaling) = Affine::scaling(&factor) else { return Ok(()) };
+            let scaled = FundamentalForms::new(&moved_surface(&surface, &scaling));
+            let square = Rational::from(factor.square_ref());
+            prop_assert_eq!(scaled.w_squared(), before.w_squared() * square.square());
+        }
+    }
+}

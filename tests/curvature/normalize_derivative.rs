@@ -5,7 +5,7 @@ use super::q;
 use isoracle::curvature::implicit_surface;
 use isoracle::curvature::normalize::normalize;
 use isoracle::curvature::normalize_derivative::{normalize_derivative, normalized_curvature};
-use isoracle::number::{Enclosure, Interval, Rational, Ring, Sign, Surd};
+use isoracle::number::{Enclosure, Interval, OrderedField, Rational, Ring, Sign, Surd};
 use proptest::prelude::*;
 
 fn enclosed(x: &Rational) -> Interval {
@@ -148,6 +148,22 @@ mod cu_365 {
             assert_eq!((colour.clone() - &enclosed(&q(1, 2))).known_sign(), Some(side));
             assert_eq!(colour.known_sign(), Some(Sign::Positive));
             assert_eq!((Interval::integer(1) - &colour).known_sign(), Some(Sign::Positive));
+        }
+    }
+}
+
+mod cu_379 {
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn the_side_of_a_half_is_the_sign_of_the_curvature(l in slope(), a in small(), b in small(), d in 1..=7_u32) {
+            let k = Surd::new(a, b, &Rational::from(d)).expect("d > 0");
+            let off = normalized_curvature(&l, &k, 300).expect("λ > 0") - &enclosed(&q(1, 2));
+            match k.sign() {
+                Sign::Zero => prop_assert!(off.contains(&q(0, 1))),
+                sign @ (Sign::Negative | Sign::Positive) => prop_assert_eq!(off.known_sign(), Some(sign)),
+            }
         }
     }
 }

@@ -266,3 +266,17 @@ mod cu_313 {
         }
     }
 }
+
+mod cu_319 {
+    use super::*;
+
+    #[test]
+    fn a_tangent_vector_need_not_lie_on_the_surface() {
+        let f = -paraboloid();
+        let [origin, e1] = [[0, 0, 0], [1, 0, 0]].map(|at: [i64; 3]| at.map(Rational::from));
+        let jet = Jet::of_polynomial(&f, &origin);
+        let [a, b] = graph::tangent_basis(&jet, Axis::Z).expect("f_z = 1");
+        assert_eq!((a, b), (Vector(e1.clone()), Vector([0, 1, 0].map(Rational::from))));
+        assert_eq!((f.evaluate(&origin), f.evaluate(&e1)), (q(0, 1), q(-1, 1)));
+    }
+}
