@@ -53,8 +53,8 @@ pub fn normal_curvature(jet: &Jet<Rational, 3>, v: &Vector<Rational, 3>) -> Resu
 /// The principal directions at a point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PrincipalDirections {
-    /// k₁ = k₂: every tangent direction is one. Two of them, across one another.
-    Umbilic([Vector<Rational, 3>; 2]),
+    /// k₁ = k₂: every tangent direction is one. Two of them, across one another, with rational entries.
+    Umbilic([Vector<Surd, 3>; 2]),
     /// The direction of k₁ and that of k₂ < k₁, not of unit length, with entries in one field ℚ(√d).
     Two([Vector<Surd, 3>; 2]),
 }
@@ -66,6 +66,11 @@ fn orthogonal_basis(gradient: &Vector<Rational, 3>) -> [Vector<Rational, 3>; 2] 
     let u = crossed.into_iter().find(|u| !u.norm_squared().is_zero()).expect("∇f is along one axis at most");
     let across = gradient.cross(&u);
     [u, across]
+}
+
+/// A rational vector over ℚ(√d).
+fn embedded(v: &Vector<Rational, 3>) -> Vector<Surd, 3> {
+    v.map(|x| Surd::from(x.clone()))
 }
 
 /// The principal directions: the tangent v with det(v, ∇f, Hess f v) = 0. CU-356, CU-360.
@@ -88,7 +93,7 @@ pub fn principal_directions(jet: &Jet<Rational, 3>) -> Result<PrincipalDirection
     let (beta, difference) = (form(&u, &across), form(&u, &u) * &w - form(&across, &across));
     let discriminant = Rational::from(difference.square_ref()) + Rational::from(beta.square_ref()) * 4_u32 * &w;
     if discriminant.is_zero() {
-        return Ok(PrincipalDirections::Umbilic([u, across]));
+        return Ok(PrincipalDirections::Umbilic([u, across].map(|v| embedded(&v))));
     }
     let root =
         |a: Rational, b: i32| Surd::new(a, Rational::from(b), &discriminant).expect("a sum of squares is not negative");
@@ -97,10 +102,7 @@ pub fn principal_directions(jet: &Jet<Rational, 3>) -> Result<PrincipalDirection
         Sign::Negative | Sign::Zero => (root(difference, -1), Surd::from(beta * 2_u32)),
         Sign::Positive => (Surd::from(beta * 2_u32 * &w), root(-difference, -1)),
     };
-    let combination = |s: &Surd, t: &Surd| {
-        let embedded = |v: &Vector<Rational, 3>| v.map(|x| Surd::from(x.clone()));
-        embedded(&u).scaled(s) + &embedded(&across).scaled(t)
-    };
+    let combination = |s: &Surd, t: &Surd| embedded(&u).scaled(s) + &embedded(&across).scaled(t);
     // ⟨su + tu′, s′u + t′u′⟩ = |u|²(ss′ + wtt′)
     Ok(PrincipalDirections::Two([combination(&s, &t), combination(&-(t * &Surd::from(w)), &s)]))
 }
@@ -115,7 +117,7 @@ pub fn euler_w(jet: &Jet<Rational, 3>, v: &Vector<Rational, 3>) -> Result<Surd, 
     normal_curvature_w(jet, v)?;
     let [k1, k2] = ShapeOperator::new(jet).map_err(|_| DirectionError::Singular)?.scaled_principal();
     let PrincipalDirections::Two([first, second]) = principal_directions(jet)? else { return Ok(k1) };
-    let v = v.map(|x| Surd::from(x.clone()));
+    let v = embedded(v);
     // ⟨v, vᵢ⟩²/(|v|²|vᵢ|²)
     let cosine_squared = |direction: &Vector<Surd, 3>| {
         let product = v.dot(direction);

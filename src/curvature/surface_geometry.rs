@@ -1,7 +1,7 @@
 //! The text's exercise: tangent vectors, normal, K and H of a surface, given either way.
 
 use super::implicit_curve::SingularPoint;
-use super::implicit_graph::{Axis, GraphError, tangent_basis, unit};
+use super::implicit_graph::{Axis, tangent_basis, unit};
 use super::implicit_surface;
 use super::jet::Jet;
 use super::parametric_surface::{self, SurfaceError};
@@ -28,10 +28,7 @@ pub struct SurfaceGeometry {
 #[doc(alias = "CU-333")]
 pub fn of_level(jet: &Jet<Rational, 3>) -> Result<SurfaceGeometry, SingularPoint> {
     let level = implicit_surface::curvature(jet)?;
-    let tangents = Axis::ALL.iter().find_map(|&axis| match tangent_basis(jet, axis) {
-        Ok(tangents) => Some(tangents),
-        Err(GraphError::Vertical | GraphError::Singular) => None,
-    });
+    let tangents = Axis::ALL.iter().find_map(|&axis| tangent_basis(jet, axis).ok());
     let tangents = tangents.expect("∇f ≠ 0");
     let mean = level.principal().mean().clone();
     Ok(SurfaceGeometry { tangents, normal: level.unit_normal(), gaussian: level.gaussian, mean })

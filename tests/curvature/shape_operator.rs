@@ -71,6 +71,15 @@ mod cu_337 {
 mod cu_338 {
     use super::*;
 
+    #[test]
+    fn on_the_unit_sphere_the_second_line_is_minus_the_derivative() {
+        let at = [q(1, 1), q(0, 1), q(0, 1)];
+        let [_, second, ..] = printed_normal_derivative_w(&Jet::of_polynomial(&sphere(), &at)).expect("regular");
+        let truth = derivative_of_the_projection(&sphere(), &at).expect("regular");
+        assert_eq!(second, minus(&truth));
+        assert_ne!(second, truth);
+    }
+
     proptest! {
         #[test]
         fn the_second_line_is_the_first(jet in regular_jet()) {
@@ -190,8 +199,7 @@ mod cu_345 {
             let shape = ShapeOperator::new(&jet).expect("regular");
             let n = surds(&jet.gradient);
             let [v1, v2] = match principal_directions(&jet).expect("regular") {
-                PrincipalDirections::Umbilic(v) => v.map(|v| surds(&v)),
-                PrincipalDirections::Two(v) => v,
+                PrincipalDirections::Umbilic(v) | PrincipalDirections::Two(v) => v,
             };
             for (a, b) in [(&v1, &v2), (&v1, &n), (&v2, &n)] {
                 prop_assert_eq!(a.dot(b), Surd::integer(0));
@@ -245,6 +253,16 @@ mod cu_346 {
 mod cu_347 {
     use super::*;
 
+    #[test]
+    fn the_trace_of_dn_itself_is_minus_the_sum() {
+        let jet = Jet::of_polynomial(&sphere(), &[q(0, 1), q(1, 1), q(0, 1)]);
+        let shape = ShapeOperator::new(&jet).expect("regular");
+        assert_eq!(shape.trace(), Surd::integer(-2));
+        assert_eq!(operator::trace(&shape.normal_derivative()), Surd::integer(2));
+        let level = implicit_surface::curvature(&jet).expect("regular");
+        assert_eq!(level.principal().exact(), Some([Surd::integer(-1), Surd::integer(-1)]));
+    }
+
     proptest! {
         #[test]
         fn the_trace_is_2_h_and_the_second_invariant_k(jet in regular_jet()) {
@@ -283,6 +301,16 @@ mod cu_348 {
 
 mod cu_349 {
     use super::*;
+
+    #[test]
+    fn with_the_printed_norm_a_plane_has_a_difference_of_root_2() {
+        let shape = ShapeOperator::new(&plane_by_a_product()).expect("regular");
+        let trace = shape.trace();
+        let printed = Surd::from(printed::printed_sum_of_squares(&shape) * 2_u32) - &(trace.clone() * &trace);
+        assert_eq!(printed, Surd::integer(2));
+        let [k1, k2] = shape.scaled_principal();
+        assert_eq!(k1, k2);
+    }
 
     proptest! {
         #[test]
