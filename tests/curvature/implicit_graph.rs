@@ -153,6 +153,17 @@ mod cu_321 {
         assert_second_form(0);
     }
 
+    #[test]
+    fn with_the_minus_at_its_first_term_alone_the_sum_is_another() {
+        let jet = generic_jet();
+        let [printed, ..] = printed_numerators();
+        let first = jet.hessian.0[0][0].clone() * &jet.gradient[2] * &jet.gradient[2];
+        // −first + rest, where −(first + rest) is meant
+        let other = -printed.clone() - &(first * &Multivariate::integer(2));
+        assert_ne!(other, printed);
+        assert_ne!(other, -printed);
+    }
+
     proptest! {
         #[test]
         fn e_is_the_normal_times_g_xx(jet in any_jet()) {

@@ -13,6 +13,7 @@ mod principal_direction;
 mod regular_value;
 mod sampled;
 mod shape_operator;
+mod small_jets;
 
 use isoracle::number::Rational;
 
