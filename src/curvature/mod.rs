@@ -9,10 +9,22 @@
 //! Everything here is computed from [`Jet`](jet::Jet)s, exactly. What is irrational leaves as a number of ℚ(√d), as a rational
 //! square with a sign, or as an enclosure.
 
+pub mod gradient;
 pub mod implicit_curve;
+pub mod implicit_function;
+pub mod implicit_graph;
+pub mod implicit_printed;
 pub mod implicit_surface;
 pub mod jet;
+pub mod motion;
 pub mod normalize;
+pub mod normalize_derivative;
 pub mod parametric_curve;
 pub mod parametric_surface;
+pub mod point_kind;
 pub mod principal;
+pub mod principal_direction;
+pub mod regular_value;
+pub mod sampled;
+pub mod shape_operator;
+pub mod surface_geometry;
