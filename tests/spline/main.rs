@@ -1,12 +1,12 @@
 //! Cubic splines: each entry of spec/spline.md against a second derivation.
 
-mod fast;
-mod fast_points;
 mod bsplines;
 mod degree_one;
 mod derivatives;
 mod domain;
+mod fast;
 mod fast_exact;
+mod fast_points;
 mod ground;
 mod infinite;
 mod inverse;
