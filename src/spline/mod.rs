@@ -5,7 +5,16 @@
 //! dimensions the tensor product, is defined at every real point, and is C².
 
 pub mod basis;
+pub mod cell_form;
+pub mod coherence;
+pub mod coherence_counterexamples;
+pub mod convergence;
+mod enclosure;
+mod half_plane;
 pub mod impulse;
+pub mod normal_count;
 pub mod prefilter;
 pub mod signal;
+pub mod specimen;
 pub mod tensor;
+pub mod total_curvature;
