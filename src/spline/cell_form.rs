@@ -39,9 +39,8 @@ impl EnclosedSpline {
 
     /// The Bernstein form on a cell; `None` where the B-splines' coefficients, which bound it too, all have one strict sign.
     pub fn cell(&self, cell: [usize; 3]) -> Option<CellForm> {
-        let index = |axis: usize, m: usize| {
-            self.boundary.index(&(Integer::from(cell[axis]) + m - 1_u32), self.shape[axis])
-        };
+        let index =
+            |axis: usize, m: usize| self.boundary.index(&(Integer::from(cell[axis]) + m - 1_u32), self.shape[axis]);
         let indices: [[usize; 4]; 3] = std::array::from_fn(|axis| std::array::from_fn(|m| index(axis, m)));
         let mut form = CellForm {
             coefficients: std::array::from_fn(|m| {
@@ -130,23 +129,39 @@ impl CellForm {
 
     /// The coefficients of a derivative in the box's coordinates, but for the factor 3, 6, 6 of each axis' order, and how many there are.
     fn differences(&self, orders: [usize; 3]) -> ([F64Interval; 64], [usize; 3]) {
-        let mut b = self.coefficients;
-        for (axis, &order) in orders.iter().enumerate() {
-            let (firsts, stride) = fibres(axis);
-            for degree in (4 - order..4).rev() {
-                for at in firsts.iter().flat_map(|first| (0..degree).map(move |m| first + m * stride)) {
-                    b[at] = b[at + stride] - &b[at];
-                }
+        let (mut b, mut lengths) = (self.coefficients, [4; 3]);
+        for (axis, order) in orders.into_iter().enumerate() {
+            for _ in 0..order {
+                difference(&mut b, &mut lengths, axis);
             }
         }
-        (b, orders.map(|order| 4 - order))
+        (b, lengths)
     }
 
     /// Around a derivative on the box, in the box's coordinates; at most 3 times along each axis.
     pub fn derivative(&self, orders: [usize; 3]) -> F64Interval {
-        let (b, [nx, ny, nz]) = self.differences(orders);
-        let places = (0..nz).flat_map(move |k| (0..ny).flat_map(move |j| (0..nx).map(move |i| i + 4 * j + 16 * k)));
-        hull(places.map(|place| b[place])) * &factor(orders)
+        let (b, lengths) = self.differences(orders);
+        hull(places(lengths).map(|place| b[place])) * &factor(orders)
+    }
+
+    /// Around all derivatives up to the third order on the box, in the box's coordinates, by how often each axis is taken; 0 for those
+    /// above.
+    pub fn derivatives(&self) -> [[[F64Interval; 4]; 4]; 4] {
+        let mut table = [[[F64Interval::integer(0); 4]; 4]; 4];
+        let mut x = (self.coefficients, [4; 3]);
+        for i in 0..4 {
+            let mut xy = x;
+            for j in 0..4 - i {
+                let mut xyz = xy;
+                for k in 0..4 - i - j {
+                    table[i][j][k] = hull(places(xyz.1).map(|place| xyz.0[place])) * &factor([i, j, k]);
+                    difference(&mut xyz.0, &mut xyz.1, 2);
+                }
+                difference(&mut xy.0, &mut xy.1, 1);
+            }
+            difference(&mut x.0, &mut x.1, 0);
+        }
+        table
     }
 
     /// Around a derivative at a point of the box, in the box's coordinates.
@@ -185,13 +200,31 @@ impl CellForm {
                 // Three differences, as coefficients of degree 3: 3d₀, d₀ + 2d₁, 2d₁ + d₂, 3d₂.
                 let [first, second, third] = [b - &a, c - &b, d - &c];
                 let times = |x: F64Interval, n: i64| x * &F64Interval::integer(n * q);
-                [times(first, 3), times(first, 1) + &times(second, 2), times(second, 2) + &times(third, 1), times(third, 3)]
+                [
+                    times(first, 3),
+                    times(first, 1) + &times(second, 2),
+                    times(second, 2) + &times(third, 1),
+                    times(third, 3),
+                ]
             });
             for (sum, b) in sum.coefficients.iter_mut().zip(&derivative.coefficients) {
                 *sum = *sum + b;
             }
         }
         sum
+    }
+}
+
+/// The places of an array of 4×4×4 whose coordinates are below these lengths.
+fn places([nx, ny, nz]: [usize; 3]) -> impl Iterator<Item = usize> {
+    (0..nz).flat_map(move |k| (0..ny).flat_map(move |j| (0..nx).map(move |i| i + 4 * j + 16 * k)))
+}
+
+/// Differences along an axis, one less than there were entries; none of one entry.
+fn difference(b: &mut [F64Interval; 64], lengths: &mut [usize; 3], axis: usize) {
+    lengths[axis] -= 1;
+    for place in places(*lengths) {
+        b[place] = b[place + (1 << (2 * axis))] - &b[place];
     }
 }
 

@@ -87,7 +87,9 @@ impl Display for Coherence {
 }
 
 fn of_binary64(quadrature: &Quadrature) -> Interval {
-    let bound = |x: f64| Rational::from_f64(x).unwrap_or_else(|| Rational::from(Integer::from(1) << 1024_u32) * x.signum() as i32);
+    let bound = |x: f64| {
+        Rational::from_f64(x).unwrap_or_else(|| Rational::from(Integer::from(1) << 1024_u32) * x.signum() as i32)
+    };
     let (lo, hi) = (bound(quadrature.integral.lo()), bound(quadrature.integral.hi()));
     Interval::between(&lo, &hi, PRECISION).expect("the bounds are in order")
 }
@@ -100,7 +102,8 @@ fn outward(x: &Interval) -> String {
         let (whole, rest) = n.abs().div_rem(Integer::from(1000));
         format!("{sign}{whole}.{:03}", rest.to_u32().expect("below 1000"))
     };
-    let [lo, hi] = [Rational::from(lo * 1000).floor(), Rational::from(hi * 1000).ceil()].map(|x| thousandths(x.into_numer_denom().0));
+    let [lo, hi] = [Rational::from(lo * 1000).floor(), Rational::from(hi * 1000).ceil()]
+        .map(|x| thousandths(x.into_numer_denom().0));
     format!("[{lo}, {hi}]")
 }
 
@@ -226,7 +229,8 @@ fn spline_crossings(spline: &Spline<3>, isovalue: &Rational) -> i64 {
         for along in 0..cells[axis] {
             let low = on_edge(axis, sides, cells.map(|n| n + 1), along);
             let cell = [0, 1, 2].map(|a| low[a].min(cells[a] - 1));
-            let may_cross = enclosed.cell(cell).is_some_and(|form| may_vanish(hull(form.edge(axis, sides).into_iter())));
+            let may_cross =
+                enclosed.cell(cell).is_some_and(|form| may_vanish(hull(form.edge(axis, sides).into_iter())));
             if may_cross {
                 crossings += roots_along(spline, isovalue, axis, low) as i64;
             }

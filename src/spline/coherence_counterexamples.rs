@@ -29,7 +29,7 @@ pub fn rippled(n: usize) -> Result<Signal<3>, SignalError> {
 }
 
 /// n + 1 samples a side of z − 1/2 + h/4 + (3h/2)(−1)^(i+j+k), times 4n, h = 1/n, n even: within 2h of a plane's signal, yet the trilinear
-/// {g = 0} has ever more handles. SP-411.
+/// {g = 0} falls into ever more pieces: χ = 2n² + 3 for n ≥ 4. SP-411.
 ///
 /// # Errors
 /// As [`Volume::integers`]: n = 0, or too many samples.

@@ -183,7 +183,8 @@ fn zeros(forms: &[CellForm; 3]) -> Zeros {
     let rest = Matrix::from_fn(|i, j| F64Interval::integer(i64::from(i == j)) - &product.0[i][j]);
     let radius = F64Interval::between(-0.5, 0.5).expect("both are finite");
     let image = -inverse.apply(&at_middle) + &rest.apply(&Vector([radius; 3]));
-    match (image.0.iter().all(|x| -0.5 < x.lo() && x.hi() < 0.5), image.0.iter().any(|x| x.lo() > 0.5 || x.hi() < -0.5)) {
+    match (image.0.iter().all(|x| -0.5 < x.lo() && x.hi() < 0.5), image.0.iter().any(|x| x.lo() > 0.5 || x.hi() < -0.5))
+    {
         (true, _) => Zeros::One,
         (false, true) => Zeros::None,
         (false, false) => Zeros::Unknown,

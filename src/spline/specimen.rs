@@ -66,7 +66,8 @@ impl Specimen {
         let points = (0..=n).flat_map(|k| (0..=n).flat_map(move |j| (0..=across).map(move |i| [i, j, k])));
         let values = points.map(|p| {
             // 2i/n − (n − 1 of the axis)/n
-            let at = [0, 1, 2].map(|a| Rational::from((Integer::from(2 * p[a]) - (shape[a] - 1), Integer::from(n.max(1)))));
+            let at =
+                [0, 1, 2].map(|a| Rational::from((Integer::from(2 * p[a]) - (shape[a] - 1), Integer::from(n.max(1)))));
             f.evaluate(&at)
         });
         Volume::rationals(shape, values.collect())

@@ -150,10 +150,11 @@ fn add_column(sum: &mut Quadrature, column: &Column, effort: Effort) {
         [Some(true), Some(false)] => None,
         [Some(true) | None, None] | [None, Some(false)] => Some(ends.each_ref().map(share)),
     };
+    let short = narrowed(column);
     let mean = match shares {
-        None => mean_over(&narrowed(column)),
+        None => mean_over(&short),
         // {low < 0 ≤ high} is {low < 0} without its part {high < 0}.
-        Some([low, high]) => integrand(column).map(|g| {
+        Some([low, high]) => integrand(&short).map(|g| {
             let part = low - &high;
             g.value * &between(part.lo().clamp(0.0, 1.0), part.hi().clamp(0.0, 1.0))
         }),
@@ -176,11 +177,12 @@ fn add_column(sum: &mut Quadrature, column: &Column, effort: Effort) {
     }
 }
 
-/// The same column, shortened while S passes through one half of it.
+/// The same column, shortened while all of S in it lies in one half.
 fn narrowed(column: &Column) -> Column {
     let mut part = column.part.clone();
-    // Beyond 2⁻⁶⁰ binary64 has no more to say.
-    for _ in 0..60 {
+    let [u, v] = column.base();
+    // Much shorter than broad is of no use, and binary64 has little to say of it.
+    while part.sides[column.axis] * 8.0 > part.sides[u].max(part.sides[v]) {
         let [low, high] = part.halves(column.axis);
         match is_below(&Column { part: low.clone(), ..*column }.ends()[1]) {
             Some(true) => part = high,
@@ -215,40 +217,38 @@ fn mean_over(column: &Column) -> Option<F64Interval> {
 
 /// Where the line over the middle of the base meets S, in the box's coordinates.
 fn middle(column: &Column) -> [F64Interval; 3] {
-    let half = exactly(0.5);
+    let mut along = orders(&[]);
+    along[column.axis] = 1;
+    let slope = column.part.form.derivative(along);
+    let at = |w: F64Interval| std::array::from_fn(|axis| if axis == column.axis { w } else { exactly(0.5) });
     let (mut lo, mut hi) = (0.0, 1.0);
     for _ in 0..48 {
         let w = f64::midpoint(lo, hi);
-        let mut at = [half; 3];
-        at[column.axis] = exactly(w);
-        let f = column.part.form.derivative_at(&at, [0; 3]);
+        let f = column.part.form.derivative_at(&at(exactly(w)), [0; 3]);
         match f.known_sign().map(|sign| sign * column.sign) {
             Some(Sign::Negative) => lo = w,
             Some(Sign::Positive) => hi = w,
-            Some(Sign::Zero) | None => break,
+            Some(Sign::Zero) | None => {
+                // Newton's step, by the mean value theorem.
+                if let Some(step) = quotient(f, slope) {
+                    let root = exactly(w) - &step;
+                    (lo, hi) = (root.lo().max(lo), root.hi().min(hi));
+                }
+                break;
+            }
         }
     }
-    let mut at = [half; 3];
-    at[column.axis] = between(lo, hi);
-    at
+    at(between(lo, hi))
 }
 
 /// g on S over the column, with its slopes along the base: on S, d/du = ∂ᵤ − (f_u/f_w) ∂_w.
 fn integrand(column: &Column) -> Option<Dual> {
     let [u, v] = column.base();
     let w = column.axis;
-    // Every derivative of order 1 to 3, by how often it is taken along each axis.
-    let mut table = [[[F64Interval::integer(0); 4]; 4]; 4];
-    for axes in (0..3).flat_map(|i| (i..3).flat_map(move |j| (j..3).map(move |k| [i, j, k]))) {
-        // Each once: where the rest of the axes repeats the last one taken.
-        for order in (1..=3).filter(|&order| axes[order..].iter().all(|axis| *axis == axes[order - 1])) {
-            let [a, b, c] = orders(&axes[..order]);
-            table[a][b][c] = column.part.derivative(&axes[..order]);
-        }
-    }
+    let table = column.part.form.derivatives();
     let at = |axes: &[usize]| {
         let [a, b, c] = orders(axes);
-        table[a][b][c]
+        table[a][b][c] * &scale(&column.part.sides, axes)
     };
     let [tilt_u, tilt_v] = [quotient(-at(&[u]), at(&[w]))?, quotient(-at(&[v]), at(&[w]))?];
     let derivative = |axes: &[usize]| {

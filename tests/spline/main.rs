@@ -1,5 +1,7 @@
 //! Cubic splines: each entry of spec/spline.md against a second derivation.
 
+mod coherence;
+mod convergence;
 mod ground;
 
 use isoracle::number::Rational;
