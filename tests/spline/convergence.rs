@@ -130,6 +130,25 @@ mod sp_409 {
     }
 
     #[test]
+    fn the_leading_error_is_that_of_hermite_interpolation() {
+        // f − s = h⁴ f⁗ t²(1 − t)²/24 = h⁴ t²(1 − t)² for x⁴, up to what the border sends in.
+        let f = Multivariate::new([([4, 0, 0], q(1, 1))]);
+        for t in [q(1, 2), q(1, 3), q(1, 7)] {
+            let at = [(q(20, 1) + &t) / 40, q(1, 2), q(1, 2)];
+            let gap = (f.evaluate(&at) - spline_jet(&f, 40, Boundary::Mirror, &at).value) * 40_i64.pow(4);
+            let rest = gap - t.clone().square() * (q(1, 1) - t).square();
+            assert!(rest.abs() < q(1, 1_000_000));
+        }
+    }
+
+    #[test]
+    fn cubic_polynomials_are_hit_but_for_the_border() {
+        let f = Multivariate::new([([3, 0, 0], q(1, 1)), ([1, 2, 0], q(-2, 1)), ([0, 1, 3], q(5, 1)), ([0, 0, 1], q(1, 1))]);
+        let [coarse, fine] = [24, 48].map(|n| errors(&f, n, Boundary::Mirror, &places()[0].1).expect("regular"));
+        assert!(orders(&coarse, &fine).iter().all(|order| order.is_some_and(|order| order > 1000)));
+    }
+
+    #[test]
     fn gradients_at_samples_are_of_order_four() {
         let f = moved(&Specimen::GenusTwo.polynomial(), [q(1, 3), q(1, 5), q(1, 2)]);
         let at = &places()[1].1;
