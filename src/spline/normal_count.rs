@@ -75,7 +75,7 @@ pub fn normal_points(
         let across = direction.across().map(|q| form.directional(q));
         let [first, second] = across;
         let part = Part { forms: [form, first, second], low: cell.map(|i| i as f64), sides: [1.0; 3] };
-        if !search(&mut points, part, 0) {
+        if !search(&mut points, part) {
             return Err(Unresolved { cell });
         }
     }
@@ -123,22 +123,42 @@ struct Part {
 }
 
 /// Whether all the points in a part of a cell were found.
-fn search(points: &mut Vec<NormalPoint>, part: Part, depth: u32) -> bool {
+fn search(points: &mut Vec<NormalPoint>, part: Part) -> bool {
+    // The last box is taken first, so that what cannot be resolved is met soon; a list, for recursion would be too deep for a stack.
+    let mut pending = vec![(part, 0)];
+    while let Some((part, depth)) = pending.pop() {
+        match certified(&part) {
+            Certificate::NoPoint => {}
+            Certificate::OnePoint(curvature) => points.push(NormalPoint { within: part.corners(), curvature }),
+            Certificate::Missing if depth == DEEPEST => return false,
+            Certificate::Missing => {
+                pending.extend(part.halves((depth % 3) as usize).map(|half| (half, depth + 1)));
+            }
+        }
+    }
+    true
+}
+
+/// What is proved of a box.
+enum Certificate {
+    NoPoint,
+    /// There is one, with that sign of K.
+    OnePoint(Sign),
+    Missing,
+}
+
+fn certified(part: &Part) -> Certificate {
     if !part.forms.iter().all(|form| may_vanish(form.range())) {
-        return true;
+        return Certificate::NoPoint;
     }
     match zeros(&part.forms) {
-        Zeros::None => return true,
+        Zeros::None => Certificate::NoPoint,
         Zeros::One => match gaussian_numerator(&part.forms[0].jet(&part.sides)).known_sign() {
-            Some(curvature @ (Sign::Positive | Sign::Negative)) => {
-                points.push(NormalPoint { within: part.corners(), curvature });
-                return true;
-            }
-            Some(Sign::Zero) | None => {}
+            Some(curvature @ (Sign::Positive | Sign::Negative)) => Certificate::OnePoint(curvature),
+            Some(Sign::Zero) | None => Certificate::Missing,
         },
-        Zeros::Unknown => {}
+        Zeros::Unknown => Certificate::Missing,
     }
-    depth < DEEPEST && part.halves((depth % 3) as usize).into_iter().all(|half| search(points, half, depth + 1))
 }
 
 impl Part {

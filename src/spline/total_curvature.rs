@@ -53,7 +53,7 @@ pub fn by_quadrature(spline: &Spline<3>, isovalue: &Rational, effort: Effort) ->
     let mut sum = Quadrature { integral: F64Interval::integer(0), columns: 0 };
     for cell in f.cells() {
         if let Some(form) = f.cell(cell) {
-            add_box(&mut sum, &Part { form, sides: [1.0; 3] }, 0, effort).map_err(|Singular| Unresolved { cell })?;
+            add_cell(&mut sum, form, effort).map_err(|Singular| Unresolved { cell })?;
         }
     }
     Ok(sum)
@@ -82,30 +82,29 @@ impl Part {
 /// No partial derivative is seen not to vanish.
 struct Singular;
 
-fn add_box(sum: &mut Quadrature, part: &Part, depth: u32, effort: Effort) -> Result<(), Singular> {
-    if !may_vanish(part.form.range()) {
-        return Ok(());
-    }
-    let gradient = [0, 1, 2].map(|axis| part.derivative(&[axis]));
-    // The axis along which f changes most, for certain.
-    let axis = (0..3).max_by(|&a, &b| smallest(gradient[a]).total_cmp(&smallest(gradient[b]))).expect("three axes");
-    let steepest = gradient.iter().fold(0.0, |m, g| largest(*g).max(m));
-    // A graph that is nearly upright somewhere is one all the same, but its integrand varies much.
-    let is_flat = smallest(gradient[axis]) * 3.0 > steepest;
-    match gradient[axis].known_sign() {
-        Some(sign @ (Sign::Positive | Sign::Negative)) if is_flat || depth >= 3 * 3 => {
-            let column = Column { part: part.clone(), axis, sign };
-            add_column(sum, &column, effort);
-            Ok(())
+fn add_cell(sum: &mut Quadrature, form: CellForm, effort: Effort) -> Result<(), Singular> {
+    let mut pending = vec![(Part { form, sides: [1.0; 3] }, 0)];
+    while let Some((part, depth)) = pending.pop() {
+        if !may_vanish(part.form.range()) {
+            continue;
         }
-        _ if depth == 3 * DEEPEST => Err(Singular),
-        Some(Sign::Positive | Sign::Zero | Sign::Negative) | None => {
-            for half in part.halves((depth % 3) as usize) {
-                add_box(sum, &half, depth + 1, effort)?;
+        let gradient = [0, 1, 2].map(|axis| part.derivative(&[axis]));
+        // The axis along which f changes most, for certain.
+        let axis = (0..3).max_by(|&a, &b| smallest(gradient[a]).total_cmp(&smallest(gradient[b]))).expect("three axes");
+        let steepest = gradient.iter().fold(0.0, |m, g| largest(*g).max(m));
+        // A graph that is nearly upright somewhere is one all the same, but its integrand varies much.
+        let is_flat = smallest(gradient[axis]) * 3.0 > steepest;
+        match gradient[axis].known_sign() {
+            Some(sign @ (Sign::Positive | Sign::Negative)) if is_flat || depth >= 3 * 3 => {
+                add_column(sum, Column { part, axis, sign }, effort);
             }
-            Ok(())
+            Some(Sign::Zero) | None if depth == 3 * DEEPEST => return Err(Singular),
+            Some(Sign::Positive | Sign::Zero | Sign::Negative) | None => {
+                pending.extend(part.halves((depth % 3) as usize).map(|half| (half, depth + 1)));
+            }
         }
     }
+    Ok(())
 }
 
 /// A part of a cell on which f_w has one strict sign; w is the axis.
@@ -140,13 +139,30 @@ fn is_below(end: &[F64Interval; 16]) -> Option<bool> {
     }
 }
 
-fn add_column(sum: &mut Quadrature, column: &Column, effort: Effort) {
-    let [u, v] = column.base();
-    let sides = column.part.sides;
+fn add_column(sum: &mut Quadrature, column: Column, effort: Effort) {
+    let least = 0.5_f64.powi(effort.depth.min(DEEPEST) as i32);
+    let mut pending = vec![column];
+    while let Some(column) = pending.pop() {
+        let [u, v] = column.base();
+        let sides = column.part.sides;
+        let Some(mean) = mean_curvature_over_base(&column) else { continue };
+        let is_last = sides[u].max(sides[v]) <= least;
+        if is_last || mean.hi() - mean.lo() <= effort.width {
+            sum.integral = sum.integral + &(mean * &exactly(sides[u] * sides[v]));
+            sum.columns += 1;
+        } else {
+            let wider = if sides[u] >= sides[v] { u } else { v };
+            pending.extend(column.part.halves(wider).map(|part| Column { part, ..column }));
+        }
+    }
+}
+
+/// Around ∫ g over D, a unit of the base; `None` where S does not pass.
+fn mean_curvature_over_base(column: &Column) -> Option<F64Interval> {
     // A point of S on a common end of two boxes belongs to the lower one: f(low) < 0 ≤ f(high), where f rises.
     let ends = column.ends();
     let shares = match ends.each_ref().map(is_below) {
-        [Some(false), _] | [_, Some(true)] => return,
+        [Some(false), _] | [_, Some(true)] => return None,
         [Some(true), Some(false)] => None,
         [Some(true) | None, None] | [None, Some(false)] => Some(ends.each_ref().map(share)),
     };
@@ -159,22 +175,8 @@ fn add_column(sum: &mut Quadrature, column: &Column, effort: Effort) {
             g.value * &between(part.lo().clamp(0.0, 1.0), part.hi().clamp(0.0, 1.0))
         }),
     };
-    let side = sides[u].max(sides[v]);
-    let is_last = side <= 0.5_f64.powi(effort.depth.min(DEEPEST) as i32);
-    match mean {
-        Some(mean) if is_last || mean.hi() - mean.lo() <= effort.width => {
-            sum.integral = sum.integral + &(mean * &exactly(sides[u] * sides[v]));
-            sum.columns += 1;
-        }
-        // f_w has a strict sign, so that |∇f| does not vanish and there is a mean, but for overflows.
-        None if is_last => sum.integral = between(f64::NEG_INFINITY, f64::INFINITY),
-        Some(_) | None => {
-            let wider = if sides[u] >= sides[v] { u } else { v };
-            for part in column.part.halves(wider) {
-                add_column(sum, &Column { part, ..*column }, effort);
-            }
-        }
-    }
+    // f_w has a strict sign, so that |∇f| does not vanish and there is a mean, but for overflows.
+    Some(mean.unwrap_or(between(f64::NEG_INFINITY, f64::INFINITY)))
 }
 
 /// The same column, shortened while all of S in it lies in one half.
