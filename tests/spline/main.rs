@@ -7,6 +7,8 @@ mod domain;
 mod fast;
 mod fast_exact;
 mod fast_points;
+mod coherence;
+mod convergence;
 mod ground;
 mod infinite;
 mod inverse;
