@@ -6,20 +6,19 @@
 
 pub mod basis;
 pub mod bspline;
-pub mod degree_one;
-pub mod impulse;
-pub mod infinite;
-pub mod inverse;
-pub mod partial;
-pub mod piecewise;
 pub mod cell_form;
 pub mod coherence;
 pub mod coherence_counterexamples;
 pub mod convergence;
+pub mod degree_one;
 mod enclosure;
 mod half_plane;
 pub mod impulse;
+pub mod infinite;
+pub mod inverse;
 pub mod normal_count;
+pub mod partial;
+pub mod piecewise;
 pub mod prefilter;
 pub mod prefilter_fast_exact;
 pub mod printed;

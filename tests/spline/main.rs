@@ -1,14 +1,14 @@
 //! Cubic splines: each entry of spec/spline.md against a second derivation.
 
 mod bsplines;
+mod coherence;
+mod convergence;
 mod degree_one;
 mod derivatives;
 mod domain;
 mod fast;
 mod fast_exact;
 mod fast_points;
-mod coherence;
-mod convergence;
 mod ground;
 mod infinite;
 mod inverse;
