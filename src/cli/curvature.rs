@@ -5,6 +5,7 @@ use super::interpolant::{self, BoundaryRule, Curvatures, SurfacePoint, surfaces}
 use super::{input, points, progress};
 use clap::Args;
 use isoracle::answer::curvature::LevelSurfaceOut;
+use isoracle::answer::spline::MAX_EXACT_SAMPLES;
 use isoracle::curvature::normalize::SlopeError;
 use isoracle::isosurface::cell::Tie;
 use isoracle::isosurface::fast;
@@ -12,8 +13,10 @@ use isoracle::isosurface::volume::{DegenerateCell, Level};
 use isoracle::number::Rational;
 use isoracle::number::decimal::Digits;
 use isoracle::number::text;
+use isoracle::spline::coherence::{Characteristic, Coherence, CoherenceError, coherence};
 use isoracle::spline::prefilter::fast::Enclosed;
 use isoracle::spline::tensor::Spline;
+use isoracle::spline::total_curvature::Effort;
 use miette::Diagnostic;
 use serde_json::json;
 use std::io::{self, BufWriter, Write};
@@ -21,7 +24,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use thiserror::Error;
 
-/// Curvature of the level surfaces of a volume's cubic spline: at points, or as the colours of an isosurface.
+/// Curvature of the level surfaces of a volume's cubic spline: at points, as the colours of an isosurface, or over a whole one.
 ///
 /// N = +∇f/|∇f|; the principal curvatures k1 ≥ k2 are the eigenvalues of −dN, K = k1·k2, H = (k1 + k2)/2: where f grows outward, a sphere
 /// has H < 0. Each number is the binary64 nearest to the exact one. Grid point (i, j, k) lies at (i, j, k).
@@ -35,14 +38,17 @@ pub struct Curvature {
     #[arg(long, value_enum, default_value_t = BoundaryRule::Mirror)]
     boundary: BoundaryRule,
     /// Where: a file with a point a line, its three coordinates between blanks or commas; `-` for stdin.
-    #[arg(long, value_name = "FILE", required_unless_present = "map", conflicts_with = "map")]
+    #[arg(long, value_name = "FILE", required_unless_present_any = ["map", "total"], conflicts_with_all = ["map", "total"])]
     points: Option<PathBuf>,
     /// Write rationals, and principal curvatures to 30 digits, as `curvature.spline` answers, a line of JSON a point.
     #[arg(long, requires = "points")]
     exact: bool,
-    /// c: the mesh of the trilinear isosurface {f = c} is painted.
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = text::parse, requires = "map")]
+    /// c: the isosurface {f = c} that is painted, or whose total curvature is asked for.
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = text::parse, conflicts_with = "points")]
     isovalue: Option<Rational>,
+    /// Compare ∫K dA over the spline's isosurface with 2πχ of the trilinear one, each proved; at most 262,144 samples.
+    #[arg(long, requires = "isovalue", conflicts_with = "map")]
+    total: bool,
     /// Which curvature the colours stand for: blue is negative, green zero, red positive.
     #[arg(long, value_enum, requires = "isovalue", requires = "out")]
     map: Option<Map>,
@@ -50,7 +56,7 @@ pub struct Curvature {
     #[arg(long, value_name = "NUMBER", value_parser = text::parse, requires = "map")]
     lambda: Option<Rational>,
     /// What to do where c is a critical value: `below` takes c − ε for every small enough ε > 0 instead.
-    #[arg(long, value_name = "HOW", requires = "map")]
+    #[arg(long, value_name = "HOW", requires = "isovalue")]
     tie: Option<input::TieRule>,
     /// Where to write the painted mesh: a .ply file.
     #[arg(long, value_name = "FILE", value_parser = ply_path, requires = "map")]
@@ -61,7 +67,8 @@ const AFTER_HELP: &str = "\
 Examples:
   $ printf '10 20 15\\n10.5 20 15\\n' | isoracle curvature --volume head.nrrd --points -
   $ isoracle curvature --volume head.nrrd --points points.txt --exact | jq .gaussian
-  $ isoracle curvature --volume head.nrrd --isovalue 60.5 --map gaussian --out head.ply";
+  $ isoracle curvature --volume head.nrrd --isovalue 60.5 --map gaussian --out head.ply
+  $ isoracle curvature --volume crop.npy --isovalue 60.5 --total";
 
 #[derive(Debug, Error, Diagnostic)]
 enum Failure {
@@ -70,6 +77,9 @@ enum Failure {
         "the topology of the isosurface is not defined there; `--tie below` takes an isovalue smaller by an infinitesimal"
     ))]
     Degenerate(DegenerateCell),
+    #[error("--isovalue: {0}")]
+    #[diagnostic(help("the isovalue must be no critical value of either interpolant, nor too near to one"))]
+    Total(CoherenceError),
     #[error("--lambda: {0}")]
     #[diagnostic(help("λ is the slope of n_λ, twice that at 0"))]
     Slope(SlopeError),
@@ -79,6 +89,18 @@ impl Curvature {
     pub fn run(self) -> miette::Result<ExitCode> {
         let spinner = progress::spinner(format!("reading {}", self.volume.display()));
         let volume = input::volume(&self.volume)?;
+        if let (true, Some(isovalue)) = (self.total, &self.isovalue) {
+            if volume.len() > MAX_EXACT_SAMPLES {
+                return Err(interpolant::Failure::TooManySamples { samples: volume.len() }.into());
+            }
+            spinner.set_message("integrating");
+            let level =
+                Level { volume: &volume, isovalue: isovalue.clone(), tie: self.tie.map_or(Tie::Degenerate, Tie::from) };
+            let effort = Effort { width: 1.0 / 16.0, depth: 4 };
+            let found = coherence(&level, self.boundary.into(), effort).map_err(Failure::Total)?;
+            spinner.finish_and_clear();
+            return super::to_stdout(write_total(&found));
+        }
         if let (Some(map), Some(isovalue), Some(out)) = (self.map, &self.isovalue, &self.out) {
             if let Some(slope) = self.lambda.as_ref().filter(|slope| **slope <= 0) {
                 let error = SlopeError(slope.clone());
@@ -129,6 +151,31 @@ fn write(points: &[[Rational; 3]], surfaces: &[SurfacePoint]) -> io::Result<()> 
             None => writeln!(out, "singular\tsingular\tsingular\tsingular")?,
         }
     }
+    out.flush()
+}
+
+/// The three quantities, and whether they agree.
+fn write_total(found: &Coherence) -> io::Result<()> {
+    let mut out = BufWriter::new(io::stdout().lock());
+    let turns = |c: &Characteristic| text::exact_text(&Rational::from((c.quarter_turns(), 2)));
+    let (spline, trilinear) = (&found.spline, &found.trilinear);
+    writeln!(
+        out,
+        "spline's isosurface      χ = {}, edge crossings {}, ∫K dA = {}π",
+        spline.chi,
+        spline.edge_crossings,
+        turns(spline)
+    )?;
+    writeln!(out, "  by quadrature          {}", found.quadrature_text())?;
+    writeln!(
+        out,
+        "trilinear isosurface     χ = {}, edge crossings {}, 2πχ less corners = {}π",
+        trilinear.chi,
+        trilinear.edge_crossings,
+        turns(trilinear)
+    )?;
+    writeln!(out, "  K of the spline on it  {}", found.mesh_sum_text())?;
+    writeln!(out, "{}", if found.is_coherent() { "the two agree" } else { "the two differ" })?;
     out.flush()
 }
 

@@ -62,6 +62,16 @@ impl Coherence {
         quarter_turn() * &Interval::integer(self.spline.quarter_turns())
     }
 
+    /// The mesh sum in units of π, to three decimals, rounded outward.
+    pub fn mesh_sum_text(&self) -> String {
+        in_turns(&self.mesh_sum)
+    }
+
+    /// The quadrature in units of π, to three decimals, rounded outward.
+    pub fn quadrature_text(&self) -> String {
+        in_turns(&of_binary64(&self.quadrature))
+    }
+
     /// Around 2πχ of the trilinear isosurface, less π/2 for each crossing with an edge of the box.
     pub fn trilinear_turns(&self) -> Interval {
         quarter_turn() * &Interval::integer(self.trilinear.quarter_turns())
@@ -80,10 +90,12 @@ impl Display for Coherence {
         let [spline, trilinear] = [self.spline, self.trilinear].map(|c| Rational::from((c.quarter_turns(), 2)));
         write!(f, "spline: χ {} E {} ∫K {spline}π", self.spline.chi, self.spline.edge_crossings)?;
         write!(f, "; trilinear: χ {} E {} {trilinear}π", self.trilinear.chi, self.trilinear.edge_crossings)?;
-        let over_pi = |x: &Interval| x.checked_div(&Interval::pi(PRECISION)).expect("π is not 0");
-        let bounds = [&self.mesh_sum, &of_binary64(&self.quadrature)].map(|x| outward(&over_pi(x)));
-        write!(f, "; mesh {}π; quadrature {}π", bounds[0], bounds[1])
+        write!(f, "; mesh {}; quadrature {}", self.mesh_sum_text(), self.quadrature_text())
     }
+}
+
+fn in_turns(x: &Interval) -> String {
+    format!("{}π", outward(&x.checked_div(&Interval::pi(PRECISION)).expect("π is not 0")))
 }
 
 fn of_binary64(quadrature: &Quadrature) -> Interval {
