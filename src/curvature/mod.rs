@@ -9,6 +9,7 @@
 //! Everything here is computed from [`Jet`](jet::Jet)s, exactly. What is irrational leaves as a number of ℚ(√d), as a rational
 //! square with a sign, or as an enclosure.
 
+pub mod chart;
 pub mod implicit_curve;
 pub mod implicit_surface;
 pub mod jet;
@@ -16,3 +17,7 @@ pub mod normalize;
 pub mod parametric_curve;
 pub mod parametric_surface;
 pub mod principal;
+pub mod shape_operator;
+pub mod surface_printed;
+pub mod tangent;
+pub mod trigonometric;
