@@ -9,10 +9,13 @@
 //! Everything here is computed from [`Jet`](jet::Jet)s, exactly. What is irrational leaves as a number of ℚ(√d), as a rational
 //! square with a sign, or as an enclosure.
 
+pub mod angle_surfaces;
 pub mod chart;
+pub mod finite_topology;
 pub mod implicit_curve;
 pub mod implicit_surface;
 pub mod jet;
+pub mod line_set;
 pub mod normalize;
 pub mod parametric_curve;
 pub mod parametric_surface;
@@ -20,4 +23,5 @@ pub mod principal;
 pub mod shape_operator;
 pub mod surface_printed;
 pub mod tangent;
+pub mod topology;
 pub mod trigonometric;

@@ -58,18 +58,19 @@ impl TangentPlane {
         Ok(solve(&self.gram(), &products).expect("EG − F² = |σᵤ × σᵥ|² > 0").0)
     }
 
-    /// (E F; F G).
+    /// (E F; F G): E = ⟨σᵤ, σᵤ⟩, F = ⟨σᵤ, σᵥ⟩, G = ⟨σᵥ, σᵥ⟩. CU-227.
+    #[doc(alias = "CU-227")]
+    #[doc(alias = "CU-228")]
     pub fn gram(&self) -> Matrix<Rational, 2, 2> {
         let basis = [&self.u, &self.v];
         Matrix::from_fn(|i, j| basis[i].dot(basis[j]))
     }
 
     /// I_p(w) = ⟨w, w⟩ = Ea² + 2Fab + Gb² for w = aσᵤ + bσᵥ: a quadratic form on T_pS, positive but for w = 0.
-    /// CU-224, CU-225, CU-226, CU-227.
+    /// CU-224, CU-225, CU-226.
     #[doc(alias = "CU-224")]
     #[doc(alias = "CU-225")]
     #[doc(alias = "CU-226")]
-    #[doc(alias = "CU-227")]
     pub fn first_form(&self, [a, b]: &[Rational; 2]) -> Rational {
         let Matrix([[e, f], [_, g]]) = self.gram();
         e * Rational::from(a.square_ref()) + f * Rational::from(a * b) * 2_u32 + g * Rational::from(b.square_ref())

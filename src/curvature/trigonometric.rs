@@ -80,6 +80,14 @@ impl<const N: usize> Trigonometric<N> {
         Trigonometric::new(self.0.derivative(axis + 1) * &c - &(self.0.derivative(axis) * &s))
     }
 
+    /// The derivative by the further variable of that number, from 0.
+    ///
+    /// # Panics
+    /// Iff there is no such variable.
+    pub fn derivative_by_parameter(&self, number: usize) -> Trigonometric<N> {
+        Trigonometric(self.0.derivative(number + 4))
+    }
+
     /// Its jet in the two angles, as functions.
     pub fn jet(&self) -> Jet<Trigonometric<N>, 2> {
         let gradient = Angle::BOTH.map(|angle| self.derivative(angle));

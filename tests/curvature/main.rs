@@ -1,6 +1,11 @@
 //! Curvature: each entry of spec/curvature.md against a second derivation.
 
 mod ground;
+mod surface_charts;
+mod surface_curvatures;
+mod surface_forms;
+mod surface_samples;
+mod surface_weingarten;
 
 use isoracle::number::Rational;
 
