@@ -75,8 +75,8 @@ pub enum PrincipalDirections {
     Two {
         /// Wk₁, Wk₂, in one field ℚ(√d).
         curvatures_w: [Surd; 2],
-        /// e₁ and e₂ by their coordinates in {σᵤ, σᵥ}, in the same field, not of unit length.
-        directions: [[Surd; 2]; 2],
+        /// e₁ and e₂ by their coordinates in {σᵤ, σᵥ}, in the same field, not of unit length. Boxed, for they are large.
+        directions: Box<[[Surd; 2]; 2]>,
     },
 }
 
@@ -153,7 +153,7 @@ impl ShapeOperator {
             let [p, q] = if row.iter().all(|x| x.sign() == Sign::Zero) { other } else { row };
             [-q, p]
         };
-        let directions = [direction(&curvatures_w[0]), direction(&curvatures_w[1])];
+        let directions = Box::new([direction(&curvatures_w[0]), direction(&curvatures_w[1])]);
         PrincipalDirections::Two { curvatures_w, directions }
     }
 

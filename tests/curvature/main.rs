@@ -3,8 +3,12 @@
 mod ground;
 mod surface_charts;
 mod surface_curvatures;
+mod surface_families;
 mod surface_forms;
+mod surface_gauss;
 mod surface_samples;
+mod surface_tangents;
+mod surface_topology;
 mod surface_weingarten;
 
 use isoracle::number::Rational;

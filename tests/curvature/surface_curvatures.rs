@@ -151,7 +151,7 @@ mod cu_248 {
 /// Wk₁, Wk₂ with e₁, e₂; at an umbilic two of its directions, orthogonal ones.
 fn principal(s: &Jets) -> ([Surd; 2], [[Surd; 2]; 2]) {
     match operator(s).principal_directions() {
-        PrincipalDirections::Two { curvatures_w, directions } => (curvatures_w, directions),
+        PrincipalDirections::Two { curvatures_w, directions } => (curvatures_w, *directions),
         PrincipalDirections::Umbilic { curvature_w } => {
             let [e, f, _] = FundamentalForms::new(s).first;
             let k = Surd::from(curvature_w);

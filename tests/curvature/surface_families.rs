@@ -1,0 +1,489 @@
+//! Orientation, embeddings and the classification of closed surfaces.
+
+use super::q;
+use super::surface_samples::{pair, surface};
+use isoracle::curvature::angle_surfaces::{moebius_band, moebius_equation};
+use isoracle::curvature::chart::{RationalPatch, scaled_axes};
+use isoracle::curvature::jet::Jet;
+use isoracle::curvature::parametric_surface::FundamentalForms;
+use isoracle::curvature::topology::{
+    Family, TooManyTriangles, barycentric_subdivision, moment_curve, orientation_count, oriented, sphere_with_tubes,
+};
+use isoracle::curvature::trigonometric::{Angle, Trigonometric, circle_point};
+use isoracle::linear::Vector;
+use isoracle::mesh::classify::{ClosedSurface, Surface, glued_triangles, surfaces};
+use isoracle::mesh::connected_sum::{connected_sum, cycle, with_disc_replaced};
+use isoracle::mesh::examples::surfaces::{
+    annulus, csaszar, double_torus, icosahedron, klein_bottle, moebius_band as band_of_triangles, projective_plane,
+    sphere,
+};
+use isoracle::mesh::gluing::Gluing;
+use isoracle::mesh::manifold::{Dimension, border};
+use isoracle::mesh::realisation::GeometricComplex;
+use isoracle::mesh::simplicial::{Simplex, SimplicialComplex};
+use isoracle::mesh::word::intersection_rank;
+use isoracle::number::{Multivariate, Rational, Ring};
+use proptest::prelude::*;
+
+fn closed(complex: &SimplicialComplex) -> ClosedSurface {
+    let found = surfaces(complex).expect("a surface");
+    assert_eq!((found.len(), found[0].boundary_loops), (1, 0));
+    found[0].closed
+}
+
+fn of_word(word: &str) -> Vec<Surface> {
+    Gluing::from_words(&[word]).expect("a word").surfaces()
+}
+
+/// 2 − χ by the intersection form of the word that the triangles are united to, which counts no vertices.
+fn chi_by_word(complex: &SimplicialComplex) -> i64 {
+    let words = glued_triangles(complex).expect("a surface").words();
+    words.iter().map(|word| 2 - intersection_rank(word) as i64).sum()
+}
+
+fn six() -> [SimplicialComplex; 6] {
+    [sphere(2), SimplicialComplex::torus(), projective_plane(), klein_bottle(), double_torus(), icosahedron()]
+}
+
+mod cu_280 {
+    use super::*;
+
+    #[test]
+    fn a_surface_has_two_orientations_for_each_component_or_none() {
+        let small =
+            [sphere(2), SimplicialComplex::torus(), projective_plane(), klein_bottle(), annulus(), band_of_triangles()];
+        let two = sphere(2).disjoint_union(&annulus());
+        let both = sphere(2).disjoint_union(&band_of_triangles());
+        for complex in small.iter().chain([&two, &both]) {
+            let count = orientation_count(complex).expect("few triangles");
+            let gluing = glued_triangles(complex).expect("a surface");
+            let expected = if gluing.is_orientable() { 1 << complex.component_count() } else { 0 };
+            assert_eq!(count, expected);
+            assert_eq!(oriented(complex).is_some(), count > 0);
+        }
+        assert_eq!(orientation_count(&double_torus()), Err(TooManyTriangles(26)));
+    }
+
+    #[test]
+    fn an_orientation_runs_along_each_inner_edge_both_ways() {
+        for complex in [sphere(2), SimplicialComplex::torus(), double_torus(), annulus()] {
+            let triangles = oriented(&complex).expect("orientable");
+            assert_eq!(triangles.len(), complex.of_dimension(2).count());
+            let sides: Vec<[u32; 2]> = triangles.iter().flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]).collect();
+            let border = border(&complex, Dimension::Two);
+            for [a, b] in &sides {
+                let edge = Simplex::new(&[*a, *b]).expect("two vertices");
+                assert_eq!(sides.contains(&[*b, *a]), !border.contains(&edge));
+                assert_eq!(sides.iter().filter(|side| *side == &[*a, *b]).count(), 1);
+            }
+        }
+    }
+}
+
+mod cu_281 {
+    use super::*;
+
+    fn equation() -> Multivariate<4> {
+        let [x, y, z, r] = [0, 1, 2, 3].map(Multivariate::<4>::variable);
+        moebius_equation(&[x, y, z], &r)
+    }
+
+    #[test]
+    fn the_level_set_has_a_one_sided_band_and_a_point_without_normal_on_it() {
+        let [x, y, z] = moebius_band();
+        let r = Trigonometric::parameter(0);
+        assert_eq!(moebius_equation(&[x.clone(), y, z], &r), Trigonometric::integer(0));
+        // Its core has the point (−R, 0, 0), where the gradient is 0.
+        let core = [q(0, 1), q(1, 1), q(1, 1), q(0, 1), q(2, 1), q(0, 1)];
+        assert_eq!(x.evaluate(&core), -2);
+        let gradient = |at: [Rational; 4]| [0, 1, 2].map(|axis| equation().derivative(axis).evaluate(&at));
+        assert_eq!(gradient([q(-2, 1), q(0, 1), q(0, 1), q(2, 1)]), [0, 0, 0]);
+        assert_ne!(gradient([q(2, 1), q(0, 1), q(0, 1), q(2, 1)]), [0, 0, 0]);
+    }
+
+    /// On the sphere, ∇f·(σᵤ × σᵥ) keeps its sign over each of two charts that cover it.
+    #[test]
+    fn a_regular_level_set_is_oriented_by_its_gradient() {
+        let mut south = RationalPatch::sphere(&q(1, 1));
+        south.numerators[2] = -south.numerators[2].clone();
+        let charts = [RationalPatch::sphere(&q(1, 1)), south];
+        let signs = charts.map(|chart| {
+            let at = (-5..=5).flat_map(|u| (-5..=5).map(move |v| [q(u, 2), q(v, 2)]));
+            let signs: Vec<bool> = at
+                .map(|at| {
+                    let jets = chart.jets(&at).expect("no pole");
+                    let gradient = Vector(jets.each_ref().map(|x| Rational::from(&x.value * 2_u32)));
+                    let along = gradient.dot(&FundamentalForms::new(&jets).normal_w);
+                    assert!(along != 0);
+                    along > 0
+                })
+                .collect();
+            assert!(signs.iter().all(|sign| *sign == signs[0]));
+            signs[0]
+        });
+        assert_ne!(signs[0], signs[1]);
+    }
+}
+
+mod cu_282 {
+    use super::*;
+
+    proptest! {
+        /// N_z = 1/W > 0 on a graph; and W > 0 in every single parametrisation.
+        #[test]
+        fn a_graph_s_normal_points_up_everywhere(terms in prop::collection::vec((prop::array::uniform2(0..=3_u32), -4..=4_i64), 0..6), at in pair(), s in surface()) {
+            let graph = RationalPatch::graph(Multivariate::new(terms.into_iter().map(|(e, c)| (e, q(c, 1)))));
+            let forms = FundamentalForms::new(&graph.jets(&at).expect("a polynomial"));
+            prop_assert_eq!(&forms.normal_w[2], &q(1, 1));
+            prop_assert!(FundamentalForms::new(&s).w_squared() > 0);
+        }
+    }
+
+    #[test]
+    fn a_triangulated_piece_of_the_plane_is_orientable() {
+        let number = |i: u32, j: u32| 5 * i + j;
+        let triangles = (0..4).flat_map(|i| {
+            (0..4).flat_map(move |j| {
+                let [a, b, c, d] = [number(i, j), number(i + 1, j), number(i, j + 1), number(i + 1, j + 1)];
+                [[a, b, c], [b, c, d]]
+            })
+        });
+        let complex = SimplicialComplex::from_vertices(&triangles.collect::<Vec<_>>()).expect("different vertices");
+        assert!(oriented(&complex).is_some());
+        assert_eq!(surfaces(&complex).expect("a disc")[0].to_string(), "disc");
+    }
+}
+
+mod cu_283 {
+    use super::*;
+
+    /// (c, s, t) ↦ (−c, −s, −t).
+    fn once_around(f: &Trigonometric<6>) -> Trigonometric<6> {
+        let [c, s] = [Trigonometric::cos(Angle::First), Trigonometric::sin(Angle::First)];
+        let [d, e] = [Trigonometric::cos(Angle::Second), Trigonometric::sin(Angle::Second)];
+        let at = [-c, -s, d, e, Trigonometric::parameter(0), -Trigonometric::parameter(1)];
+        f.polynomial().evaluate_in(&at, |x| Trigonometric::constant(x.clone()))
+    }
+
+    #[test]
+    fn the_normal_comes_back_reversed() {
+        let band = moebius_band();
+        assert_eq!(band.each_ref().map(once_around), band);
+        let along = Vector(band.each_ref().map(|x| x.derivative(Angle::First)));
+        let across = Vector(band.each_ref().map(|x| x.derivative_by_parameter(1)));
+        let n = along.cross(&across);
+        assert_eq!(n.map(once_around), -n.clone());
+        // It is not 0 on the core: |n| = 2R there.
+        let squared = n.norm_squared();
+        for m in -9..=9 {
+            let [c, s] = circle_point(&q(m, 4));
+            assert_eq!(squared.evaluate(&[c, s, q(1, 1), q(0, 1), q(3, 1), q(0, 1)]), 36);
+        }
+    }
+
+    #[test]
+    fn a_rectangle_with_opposite_corners_glued_is_one_sided() {
+        assert_eq!(of_word("abac")[0].to_string(), "Möbius band");
+        assert_eq!(of_word("abAc")[0].to_string(), "annulus");
+        // Of a strip of triangles the parity of the half twists decides.
+        for n in 3..9_u32 {
+            for twisted in [false, true] {
+                let vertex =
+                    |side: u32, i: u32| if i < n { side * n + i } else { (side ^ u32::from(twisted)) * n + i - n };
+                let triangles = (0..n).flat_map(|i| {
+                    let [a, b, c, d] = [vertex(0, i), vertex(1, i), vertex(0, i + 1), vertex(1, i + 1)];
+                    [[a, b, c], [b, c, d]]
+                });
+                let strip =
+                    SimplicialComplex::from_vertices(&triangles.collect::<Vec<_>>()).expect("different vertices");
+                assert_eq!(
+                    surfaces(&strip).expect("a surface")[0].to_string(),
+                    if twisted { "Möbius band" } else { "annulus" }
+                );
+                assert_eq!(oriented(&strip).is_none(), twisted);
+            }
+        }
+    }
+}
+
+mod cu_285 {
+    use super::*;
+
+    #[test]
+    fn squeezing_the_sphere_has_an_inverse() {
+        let axes = [q(1, 2), q(3, 1), q(2, 3)];
+        let back = axes.each_ref().map(|a| a.clone().recip());
+        let squeezed = [0, 1, 2].map(|i| Jet::<Rational, 3>::variable(i, q(1, 1)) * &Jet::constant(axes[i].clone()));
+        assert_eq!(scaled_axes(&squeezed, &back.map(Jet::constant)), [0, 1, 2].map(|i| Jet::variable(i, q(1, 1))));
+    }
+
+    #[test]
+    fn equivalence_is_an_equivalence_and_the_numbers_decide_it() {
+        // Reflexive, symmetric, transitive on the list; a subdivision is equivalent to its complex.
+        let all: Vec<ClosedSurface> = six().iter().map(closed).collect();
+        for (i, a) in all.iter().enumerate() {
+            assert_eq!(*a, closed(&barycentric_subdivision(&six()[i])));
+            let same: Vec<usize> = (0..6).filter(|j| all[*j] == *a).collect();
+            assert_eq!(same, if i == 0 || i == 5 { vec![0, 5] } else { vec![i] });
+        }
+    }
+}
+
+mod cu_286 {
+    use super::*;
+
+    fn embedded<const N: usize>(complex: SimplicialComplex, at: Vec<Vector<Rational, N>>) -> bool {
+        GeometricComplex::new(complex, at).is_ok()
+    }
+
+    #[test]
+    fn sphere_cylinder_and_torus_are_in_space_and_the_klein_bottle_in_dimension_four() {
+        let points = |at: &[[i64; 3]]| at.iter().map(|x| Vector(x.map(Rational::from))).collect::<Vec<_>>();
+        assert!(embedded(sphere(2), points(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])));
+        assert!(embedded(annulus(), points(&[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1]])));
+        assert_eq!(closed(csaszar().complex()), ClosedSurface::Orientable { genus: 1 });
+        assert_eq!(closed(&klein_bottle()), ClosedSurface::NonOrientable { crosscaps: 2 });
+        assert!(embedded(klein_bottle(), moment_curve(8)));
+        // Two triangles of points in alternating order meet: not every order does.
+        let crossed = SimplicialComplex::from_vertices(&[[0, 2, 4], [1, 3, 5]]).expect("different vertices");
+        assert!(!embedded(crossed, moment_curve(6)));
+    }
+
+    /// The 3-sphere as the border of the cyclic 4-polytope with 7 vertices: all surfaces in it, as borders of sets of tetrahedra, have two sides.
+    #[test]
+    fn closed_surfaces_in_a_triangulated_3_sphere_are_orientable() {
+        let pairs = |i: u32, j: u32| {
+            let mut t = [i, (i + 1) % 7, j, (j + 1) % 7];
+            t.sort_unstable();
+            t
+        };
+        let tetrahedra: Vec<[u32; 4]> = (0..7)
+            .flat_map(|i| (i + 2..7).map(move |j| (i, j)))
+            .filter(|(i, j)| (j + 1) % 7 != *i)
+            .map(|(i, j)| pairs(i, j))
+            .collect();
+        assert_eq!(tetrahedra.len(), 14);
+        let mut tori = 0;
+        for chosen in 1..1_u32 << 13 {
+            let mut triangles: std::collections::BTreeMap<[u32; 3], usize> = std::collections::BTreeMap::new();
+            for (_, [a, b, c, d]) in (0..13).zip(&tetrahedra).filter(|(i, _)| chosen >> i & 1 == 1) {
+                for t in [[*a, *b, *c], [*a, *b, *d], [*a, *c, *d], [*b, *c, *d]] {
+                    *triangles.entry(t).or_default() += 1;
+                }
+            }
+            let border: Vec<[u32; 3]> = triangles.into_iter().filter(|(_, n)| n % 2 == 1).map(|(t, _)| t).collect();
+            let mut sides = [[0_u8; 7]; 7];
+            for [a, b, c] in &border {
+                for (x, y) in [(a, b), (a, c), (b, c)] {
+                    sides[*x as usize][*y as usize] += 1;
+                }
+            }
+            if sides.iter().flatten().any(|n| *n > 2) {
+                continue;
+            }
+            let complex = SimplicialComplex::from_vertices(&border).expect("different vertices");
+            if complex.surface_defects().is_empty() {
+                for surface in surfaces(&complex).expect("a surface") {
+                    let ClosedSurface::Orientable { genus } = surface.closed else { panic!("{border:?} has one side") };
+                    tori += usize::from(genus == 1);
+                }
+            }
+        }
+        assert!(tori > 0);
+    }
+}
+
+mod cu_229 {
+    use super::*;
+
+    #[test]
+    fn the_projective_plane_is_in_dimension_four() {
+        assert_eq!(closed(&projective_plane()), ClosedSurface::NonOrientable { crosscaps: 1 });
+        assert!(GeometricComplex::new(projective_plane(), moment_curve(6)).is_ok());
+        // (x, y, z) ↦ (x² − y², xy, xz, yz) tells the points of the sphere apart, but for antipodes.
+        let sphere = RationalPatch::sphere(&q(1, 1));
+        let points: Vec<[Rational; 3]> = (-6..=6)
+            .flat_map(|u| (-6..=6).map(move |v| [q(u, 2), q(v, 2)]))
+            .map(|at| sphere.jets(&at).expect("no pole").map(|x| x.value))
+            .collect();
+        let image = |[x, y, z]: &[Rational; 3]| {
+            let times = |a: &Rational, b: &Rational| Rational::from(a * b);
+            [times(x, x) - times(y, y), times(x, y), times(x, z), times(y, z)]
+        };
+        for (i, a) in points.iter().enumerate() {
+            for b in &points[i + 1..] {
+                let antipodal = a.iter().zip(b).all(|(x, y)| *x == Rational::from(-y));
+                assert_eq!(image(a) == image(b), antipodal);
+            }
+        }
+    }
+
+    #[test]
+    fn it_is_a_sphere_with_a_disc_replaced_by_a_band() {
+        let made = with_disc_replaced(&icosahedron(), 0, &band_of_triangles(), &[0, 2, 4, 1, 3])
+            .expect("a disc of five triangles");
+        assert!(made.surface_defects().is_empty());
+        assert_eq!(closed(&made), closed(&projective_plane()));
+        assert_eq!(closed(&Family::Bands(1).triangulation()), closed(&made));
+    }
+}
+
+mod cu_287 {
+    use super::*;
+
+    #[test]
+    fn each_handle_takes_2_from_chi() {
+        for g in 0..=3 {
+            let surface = sphere_with_tubes(g, 0).expect("room for it");
+            assert_eq!(closed(&surface), ClosedSurface::Orientable { genus: g });
+            assert_eq!(surface.euler_characteristic(), 2 - 2 * g as i64);
+            assert_eq!(chi_by_word(&surface), 2 - 2 * g as i64);
+        }
+        assert_eq!(closed(&sphere_with_tubes(1, 0).expect("room for it")), closed(&SimplicialComplex::torus()));
+    }
+
+    #[test]
+    fn one_handle_glued_the_other_way_makes_it_one_sided() {
+        for g in 0..=2 {
+            let surface = sphere_with_tubes(g, 1).expect("room for it");
+            assert_eq!(closed(&surface), ClosedSurface::NonOrientable { crosscaps: 2 * g + 2 });
+        }
+        assert_eq!(closed(&sphere_with_tubes(0, 1).expect("room for it")), closed(&klein_bottle()));
+        assert!(sphere_with_tubes(1000, 0).is_err());
+    }
+}
+
+mod cu_288 {
+    use super::*;
+
+    #[test]
+    fn two_bands_on_a_cylinder_make_a_klein_bottle() {
+        // A sphere less two discs is a cylinder.
+        let less_two = icosahedron()
+            .maximal()
+            .into_iter()
+            .filter(|t| !t.vertices().iter().any(|v| [0, 11].contains(v)))
+            .cloned()
+            .collect::<Vec<_>>();
+        assert_eq!(surfaces(&SimplicialComplex::new(less_two)).expect("a surface")[0].to_string(), "annulus");
+        let rim = cycle(&border(&band_of_triangles(), Dimension::Two)).expect("one loop");
+        let made = [0, 11].into_iter().fold(icosahedron(), |surface, vertex| {
+            with_disc_replaced(&surface, vertex, &band_of_triangles(), &rim).expect("a disc of five triangles")
+        });
+        assert!(made.surface_defects().is_empty());
+        assert_eq!((closed(&made), made.euler_characteristic()), (closed(&klein_bottle()), 0));
+        assert_eq!(closed(&Family::Bands(2).triangulation()), closed(&made));
+    }
+
+    #[test]
+    fn a_rectangle_made_a_cylinder_with_its_ends_glued_in_opposite_directions_is_one() {
+        // a, c are glued straight to a cylinder, whose ends b are glued against one another.
+        assert_eq!(of_word("abAb")[0].to_string(), "Klein bottle");
+        assert_eq!(of_word("abAB")[0].to_string(), "torus");
+        assert_eq!(of_word("abAc")[0].to_string(), "annulus");
+    }
+}
+
+mod cu_289 {
+    use super::*;
+
+    fn families() -> impl Iterator<Item = Family> {
+        (0..=4).flat_map(|g| [Family::Handles(g), Family::Bands(g)]).chain([Family::Sphere])
+    }
+
+    #[test]
+    fn each_family_is_what_its_triangulation_is() {
+        for family in families() {
+            let complex = family.triangulation();
+            assert!(complex.surface_defects().is_empty());
+            assert_eq!(closed(&complex), family.surface());
+            // "Orientáveis", "não orientáveis": true of all but the third family with g = 0.
+            let is_right = oriented(&complex).is_some() == family.is_orientable_printed();
+            assert_eq!(is_right, family != Family::Bands(0));
+        }
+    }
+
+    #[test]
+    fn the_families_are_disjoint_but_for_g_0() {
+        let all: Vec<Family> = families().collect();
+        let is_sphere = |f: &Family| matches!(f, Family::Sphere | Family::Handles(0) | Family::Bands(0));
+        for (a, b) in all.iter().flat_map(|a| all.iter().map(move |b| (a, b))) {
+            assert_eq!(a.surface() == b.surface(), a == b || is_sphere(a) && is_sphere(b));
+        }
+    }
+
+    #[test]
+    fn several_components_are_classified_one_by_one() {
+        let union = SimplicialComplex::torus().disjoint_union(&projective_plane());
+        let mut found: Vec<ClosedSurface> =
+            surfaces(&union).expect("a surface").into_iter().map(|s| s.closed).collect();
+        found.sort();
+        assert_eq!(found, [Family::Handles(1).surface(), Family::Bands(1).surface()]);
+    }
+
+    #[test]
+    fn bounded_is_not_compact() {
+        // The open disc x² + y² < 1, z = 0: bounded, and with each point it has a disc around it, so it has no border and is connected (convex).
+        let inside = |x: &Rational, y: &Rational| Rational::from(x.square_ref()) + Rational::from(y.square_ref()) < 1;
+        for (a, b) in (-9..=9).flat_map(|a| (-9..=9).map(move |b| (q(a, 10), q(b, 10)))).filter(|(a, b)| inside(a, b)) {
+            let room = (q(1, 1) - Rational::from(a.square_ref()) - Rational::from(b.square_ref())) / 4_u32;
+            for (dx, dy) in [(1, 0), (-1, 0), (0, 1), (0, -1)] {
+                assert!(inside(&(a.clone() + Rational::from(&room * dx)), &(b.clone() + Rational::from(&room * dy))));
+            }
+        }
+        // It has not the limit (1, 0) of its points (1 − 2⁻ᵏ, 0), as a compact set would.
+        assert!((1..60).all(|k| inside(&(q(1, 1) - Rational::from((1, 1_u64 << k))), &q(0, 1))));
+        assert!(!inside(&q(1, 1), &q(0, 1)));
+    }
+}
+
+mod cu_290 {
+    use super::*;
+
+    #[test]
+    fn the_three_cases_are_v_minus_e_plus_f() {
+        for g in 0..=4 {
+            for family in [Family::Sphere, Family::Handles(g), Family::Bands(g)] {
+                let complex = family.triangulation();
+                assert_eq!(complex.euler_characteristic(), family.euler_characteristic());
+                assert_eq!(chi_by_word(&complex), family.euler_characteristic());
+                assert_eq!(family.surface().euler_characteristic(), family.euler_characteristic());
+            }
+        }
+        let of_zero = [Family::Sphere, Family::Handles(0), Family::Bands(0)].map(Family::euler_characteristic);
+        assert_eq!(of_zero, [2, 2, 2]);
+    }
+
+    #[test]
+    fn the_klein_bottle_has_0_as_the_torus_has() {
+        assert_eq!(Family::Bands(2).euler_characteristic(), 0);
+        assert_eq!((klein_bottle().f_vector(), klein_bottle().euler_characteristic()), (vec![8, 24, 16], 0));
+        assert_eq!(Family::Handles(1).euler_characteristic(), 0);
+        assert_ne!(closed(&klein_bottle()), closed(&SimplicialComplex::torus()));
+    }
+
+    #[test]
+    fn a_barycentric_subdivision_and_a_sum_change_it_as_they_should() {
+        for complex in six() {
+            let finer = barycentric_subdivision(&complex);
+            let counts = complex.f_vector();
+            // V′ = V + E + F, E′ = 2E + 6F, F′ = 6F.
+            assert_eq!(
+                finer.f_vector(),
+                [counts[0] + counts[1] + counts[2], 2 * counts[1] + 6 * counts[2], 6 * counts[2]]
+            );
+            assert_eq!(finer.euler_characteristic(), complex.euler_characteristic());
+            for other in six() {
+                let at = |c: &SimplicialComplex| {
+                    <[u32; 3]>::try_from(c.of_dimension(2).next().expect("a triangle").vertices()).expect("three")
+                };
+                let sum = connected_sum(&complex, at(&complex), &other, at(&other)).expect("closed surfaces");
+                assert_eq!(
+                    sum.euler_characteristic(),
+                    complex.euler_characteristic() + other.euler_characteristic() - 2
+                );
+                assert_eq!(closed(&sum), closed(&complex).sum(closed(&other)));
+            }
+        }
+    }
+}
