@@ -9,6 +9,8 @@ use crate::number::Ring;
 /// With 0 < θ < π, 0 < φ < 2π it is injective and regular, and leaves out the half circle y = 0, x ≥ 0. CU-232.
 #[doc(alias = "CU-231")]
 #[doc(alias = "CU-232")]
+#[doc(alias = "CU-271")]
+#[doc(alias = "CU-272")]
 pub fn sphere() -> [Trigonometric<5>; 3] {
     let [theta, phi] = Angle::BOTH;
     let (r, sine) = (Trigonometric::parameter(0), Trigonometric::sin(theta));

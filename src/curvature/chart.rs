@@ -25,6 +25,7 @@ impl RationalPatch {
 
     /// The plane p₀ + uw₁ + vw₂ (002, example 2.27). CU-230.
     #[doc(alias = "CU-230")]
+    #[doc(alias = "CU-269")]
     pub fn plane(through: &Vector<Rational, 3>, [w1, w2]: [&Vector<Rational, 3>; 2]) -> RationalPatch {
         let coordinate = |i: usize| {
             Multivariate::new([([0, 0], through[i].clone()), ([1, 0], w1[i].clone()), ([0, 1], w2[i].clone())])
@@ -97,6 +98,9 @@ pub fn plane_as_graph(coefficients: &[Rational; 3], d: &Rational) -> Option<Rati
 ///
 /// ∂ᵢ(f∘h) = Σ ∂ₐf·∂ᵢhₐ and ∂ᵢ∂ⱼ(f∘h) = Σ ∂ₐf·∂ᵢ∂ⱼhₐ + Σ ∂ₐ∂ᵦf·∂ᵢhₐ·∂ⱼhᵦ.
 #[doc(alias = "CU-211")]
+#[doc(alias = "CU-210")]
+#[doc(alias = "CU-216")]
+#[doc(alias = "CU-240")]
 pub fn composition<K: Ring, const N: usize, const M: usize>(f: &Jet<K, N>, h: &[Jet<K, M>; N]) -> Jet<K, M> {
     let zero = || K::integer(0);
     let first = |i: usize| (0..N).fold(zero(), |sum, a| sum + &(f.gradient[a].clone() * &h[a].gradient[i]));
@@ -137,6 +141,7 @@ pub enum ChangeError {
 /// # Errors
 /// `Surface` iff one of them is singular, else the first order in which they differ.
 #[doc(alias = "CU-209")]
+#[doc(alias = "CU-205")]
 pub fn change_of_parameters(
     at: &[Rational; 2],
     sigma: &[Jet<Rational, 2>; 3],

@@ -9,6 +9,7 @@ use crate::number::{OrderedField, Rational, Ring, Sign, Surd};
 
 /// The Gauss map to first order at a regular point.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[doc(alias = "CU-279")]
 pub struct GaussMap {
     /// W N = σᵤ × σᵥ.
     pub normal_w: Vector<Rational, 3>,
@@ -22,6 +23,7 @@ impl GaussMap {
     /// # Errors
     /// `Singular` iff σᵤ × σᵥ = 0.
     #[doc(alias = "CU-234")]
+    #[doc(alias = "CU-235")]
     pub fn new(surface: &[Jet<Rational, 2>; 3]) -> Result<GaussMap, SurfaceError> {
         let first = |i: usize| Vector(surface.each_ref().map(|x| x.gradient[i].clone()));
         let second = |i: usize, j: usize| Vector(surface.each_ref().map(|x| x.hessian.0[i][j].clone()));
@@ -55,7 +57,8 @@ impl GaussMap {
     }
 }
 
-/// What −dN does, from both fundamental forms, at a regular point.
+/// What −dN does, from both fundamental forms, at a regular point. It is that of the surface: another parametrisation changes its matrix
+/// by ∂h, and its sign with that of det ∂h. CU-210.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ShapeOperator {
     first: Matrix<Rational, 2, 2>,
@@ -65,6 +68,7 @@ pub struct ShapeOperator {
 
 /// The principal directions.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[doc(alias = "CU-250")]
 pub enum PrincipalDirections {
     /// k₁ = k₂: every direction is principal.
     Umbilic {
@@ -116,6 +120,7 @@ impl ShapeOperator {
     /// W II_p(w) = −⟨W dN(w), w⟩ = W(ea² + 2fab + gb²) for w = aσᵤ + bσᵥ: a quadratic form on T_pS. CU-239, CU-242.
     #[doc(alias = "CU-239")]
     #[doc(alias = "CU-242")]
+    #[doc(alias = "CU-247")]
     pub fn second_form_w(&self, w: &[Rational; 2]) -> Rational {
         quadratic(&self.second_w, w, Rational::clone)
     }
@@ -124,6 +129,7 @@ impl ShapeOperator {
     ///
     /// `None` iff w = 0.
     #[doc(alias = "CU-248")]
+    #[doc(alias = "CU-255")]
     pub fn normal_curvature_w(&self, w: &[Rational; 2]) -> Option<Rational> {
         let length = quadratic(&self.first, w, Rational::clone);
         (!length.is_zero()).then(|| self.second_form_w(w) / length)
@@ -133,6 +139,7 @@ impl ShapeOperator {
     #[doc(alias = "CU-249")]
     #[doc(alias = "CU-251")]
     #[doc(alias = "CU-252")]
+    #[doc(alias = "CU-253")]
     pub fn principal_directions(&self) -> PrincipalDirections {
         let Matrix([[a, b], [c, d]]) = self.matrix_w();
         let half_trace = Rational::from(&a + &d) / 2_u32;
@@ -169,6 +176,7 @@ impl ShapeOperator {
     ///
     /// # Panics
     /// Iff the coordinates lie in different fields.
+    #[doc(alias = "CU-254")]
     pub fn second_form_of_surds_w(&self, x: &[Surd; 2]) -> Surd {
         bilinear(&self.second_w, x, x, |q| Surd::from(q.clone()))
     }

@@ -41,6 +41,7 @@ impl TangentPlane {
     }
 
     /// dσ(a, b) = aσᵤ + bσᵥ.
+    #[doc(alias = "CU-217")]
     pub fn vector(&self, [a, b]: &[Rational; 2]) -> Vector<Rational, 3> {
         self.u.scaled(a) + &self.v.scaled(b)
     }
@@ -50,6 +51,7 @@ impl TangentPlane {
     /// # Errors
     /// Iff w is not tangent: ⟨w, σᵤ × σᵥ⟩ ≠ 0.
     #[doc(alias = "CU-219")]
+    #[doc(alias = "CU-215")]
     pub fn coordinates(&self, w: &Vector<Rational, 3>) -> Result<[Rational; 2], NotTangent> {
         if !w.dot(&self.normal_w()).is_zero() {
             return Err(NotTangent);
@@ -84,6 +86,7 @@ impl TangentPlane {
 /// Iff φ does not map into a surface with that tangent plane.
 #[doc(alias = "CU-220")]
 #[doc(alias = "CU-221")]
+#[doc(alias = "CU-213")]
 pub fn differential(
     image: &[Jet<Rational, 2>; 3],
     target: &TangentPlane,

@@ -179,10 +179,10 @@ mod cu_232 {
             let at = [c, s, d, t, q(1, 1)];
             let [x, y, z] = sphere.each_ref().map(|x| x.evaluate(&at));
             let sine_squared = Rational::from(1) - Rational::from(z.square_ref());
-            let m_squared = (1 - z.clone()) / (1 + z);
+            let m_squared: Rational = (1 - z.clone()) / (1 + z);
             assert_eq!(m_squared, q(m * m, 9));
             // tan φ/2 = y/(√(1 − z²) + x)
-            let sine = q(m, 3) * 2_u32 / (m_squared + 1_u32);
+            let sine: Rational = q(m, 3) * 2_u32 / (m_squared + 1_u32);
             assert_eq!(Rational::from(sine.square_ref()), sine_squared);
             assert_eq!(y / (sine + x), q(n, 5));
         }
