@@ -141,6 +141,15 @@ mod cu_260 {
     }
 
     #[test]
+    fn they_are_those_of_the_transposed_matrix_whatever_it_is() {
+        // Of a surface the first two lines are equal; of other numbers they are not.
+        let (a, first) = (Matrix([[q(1, 1), q(2, 1)], [q(3, 1), q(5, 1)]]), [q(7, 1), q(11, 1), q(13, 1)]);
+        let expected = [q(11 + 2 * 13, 1), q(3 * 7 + 5 * 11, 1), q(7 + 2 * 11, 1), q(3 * 11 + 5 * 13, 1)];
+        assert_eq!(text::lines_corrected(&a, &first), expected);
+        assert_eq!(text::lines_printed(&a.transposed(), &first), expected);
+    }
+
+    #[test]
     fn they_fail_on_a_cylinder_in_skew_coordinates() {
         let (first, second_w) = forms(&skewed());
         let a = by_derivatives(&skewed());
