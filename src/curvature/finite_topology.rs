@@ -96,7 +96,7 @@ impl FiniteSpace {
     /// The union of all connected sets between {x} and the subset: ∅ iff x is not in the subset. CU-278.
     #[doc(alias = "CU-278")]
     pub fn component(&self, x: u32, subset: Points) -> Points {
-        let has_x = |set: Points| set >> x & 1 == 1;
+        let has_x = |set: Points| x < Points::BITS && set >> x & 1 == 1;
         subsets(subset).filter(|set| has_x(*set) && self.is_connected(*set)).fold(0, |union, set| union | set)
     }
 

@@ -2,7 +2,7 @@
 
 use crate::linear::Vector;
 use crate::mesh::classify::ClosedSurface;
-use crate::mesh::connected_sum::{SumError, connected_sum, with_tube};
+use crate::mesh::connected_sum::{connected_sum, with_tube};
 use crate::mesh::examples::surfaces::{icosahedron, projective_plane};
 use crate::mesh::simplicial::{Simplex, SimplicialComplex};
 use crate::number::{Integer, Rational};
@@ -75,48 +75,93 @@ impl Family {
 /// surface one-sided. CU-287.
 ///
 /// # Errors
-/// Iff the triangles of the subdivided sphere do not suffice for so many.
+/// Iff the triangles of the subdivided icosahedron do not suffice for so many.
 #[doc(alias = "CU-287")]
-pub fn sphere_with_tubes(handles: usize, mirrored: usize) -> Result<SimplicialComplex, SumError> {
-    let mut surface = barycentric_subdivision(&icosahedron());
-    let triangles = oriented(&surface).expect("a sphere is orientable");
+pub fn sphere_with_tubes(handles: usize, mirrored: usize) -> Result<SimplicialComplex, NoRoom> {
+    let sphere = barycentric_subdivision(&icosahedron());
+    let triangles = oriented(&sphere).expect("a surface").expect("a sphere is orientable");
     // Triangles far from one another: none of them has an edge to another.
     let mut far: Vec<[u32; 3]> = Vec::new();
     for triangle in triangles {
-        let joined = |a: u32, b: u32| a == b || Simplex::new(&[a, b]).is_ok_and(|edge| surface.contains(&edge));
+        let joined = |a: u32, b: u32| a == b || Simplex::new(&[a, b]).is_ok_and(|edge| sphere.contains(&edge));
         if far.iter().flatten().all(|a| triangle.iter().all(|b| !joined(*a, *b))) {
             far.push(triangle);
         }
     }
-    for n in 0..handles + mirrored {
-        let [Some(from), Some([a, b, c])] = [far.get(2 * n).copied(), far.get(2 * n + 1).copied()] else {
-            return Err(SumError::NoTriangle([0; 3]));
-        };
+    let (wanted, room) = (handles.saturating_add(mirrored), far.len() / 2);
+    if wanted > room {
+        return Err(NoRoom { wanted, room });
+    }
+    Ok(far.chunks_exact(2).take(wanted).enumerate().fold(sphere, |surface, (n, pair)| {
+        let [a, b, c] = pair[1];
         // The border of what is left runs the other way around each hole, and the tube takes one border to the other.
         let to = if n < handles { [a, c, b] } else { [a, b, c] };
-        surface = with_tube(&surface, from, to)?;
-    }
-    Ok(surface)
+        with_tube(&surface, pair[0], to).expect("the triangles are there and have no edges between them")
+    }))
 }
 
-/// The triangles of a closed surface, each edge run along both ways: an orientation, found by passing from triangle to triangle; `None` iff
-/// there is none. CU-280.
-///
-/// # Panics
-/// Iff an edge has more than two triangles.
-#[doc(alias = "CU-280")]
-#[doc(alias = "CU-282")]
-pub fn oriented(surface: &SimplicialComplex) -> Option<Vec<[u32; 3]>> {
-    let triangles: Vec<[u32; 3]> =
-        surface.of_dimension(2).map(|t| t.vertices().try_into().expect("a triangle has three corners")).collect();
-    let sides = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
-    let mut at: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
+/// The triangulated sphere has no room for so many handles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("{wanted} handles, and room for {room}")]
+pub struct NoRoom {
+    /// How many were asked for.
+    pub wanted: usize,
+    /// How many there is room for.
+    pub room: usize,
+}
+
+/// Why triangles have no directions to choose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum OrientationError {
+    /// An edge of more than two triangles: they are no surface.
+    #[error("the edge from {} to {} has {triangles} triangles, more than two", .edge[0], .edge[1])]
+    Edge {
+        /// Its ends.
+        edge: [u32; 2],
+        /// How many triangles it has.
+        triangles: usize,
+    },
+    /// There are too many triangles to try all directions.
+    #[error("{0} triangles are more than 20")]
+    TooMany(usize),
+}
+
+/// A triangle of the list, and whether it runs along the edge from the smaller vertex to the larger.
+type Places = BTreeMap<[u32; 2], Vec<(usize, bool)>>;
+
+fn triangles(complex: &SimplicialComplex) -> Vec<[u32; 3]> {
+    complex.of_dimension(2).map(|t| t.vertices().try_into().expect("a triangle has three corners")).collect()
+}
+
+/// The directed sides.
+fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+/// Where each edge stands.
+fn places(triangles: &[[u32; 3]]) -> Result<Places, OrientationError> {
+    let mut places = Places::new();
     for (i, triangle) in triangles.iter().enumerate() {
         for [a, b] in sides(*triangle) {
-            at.entry([a.min(b), a.max(b)]).or_default().push(i);
+            places.entry([a.min(b), a.max(b)]).or_default().push((i, a < b));
         }
     }
-    assert!(at.values().all(|places| places.len() <= 2), "an edge of a surface has at most two triangles");
+    match places.iter().find(|(_, at)| at.len() > 2) {
+        Some((edge, at)) => Err(OrientationError::Edge { edge: *edge, triangles: at.len() }),
+        None => Ok(places),
+    }
+}
+
+/// The triangles of a surface, each inner edge run along both ways: an orientation, found by passing from triangle to triangle; `None` iff
+/// there is none. CU-280.
+///
+/// # Errors
+/// `Edge` iff an edge has more than two triangles.
+#[doc(alias = "CU-280")]
+#[doc(alias = "CU-282")]
+pub fn oriented(surface: &SimplicialComplex) -> Result<Option<Vec<[u32; 3]>>, OrientationError> {
+    let triangles = triangles(surface);
+    let places = places(&triangles)?;
     let mut found: Vec<Option<[u32; 3]>> = vec![None; triangles.len()];
     for root in 0..triangles.len() {
         if found[root].is_some() {
@@ -126,7 +171,7 @@ pub fn oriented(surface: &SimplicialComplex) -> Option<Vec<[u32; 3]>> {
         let mut pending = vec![root];
         while let Some(i) = pending.pop() {
             for [a, b] in sides(found[i].expect("what is pending was found")) {
-                for j in at[&[a.min(b), a.max(b)]].iter().copied().filter(|j| *j != i) {
+                for (j, _) in places[&[a.min(b), a.max(b)]].iter().copied().filter(|(j, _)| *j != i) {
                     let [x, y, z] = triangles[j];
                     let wanted = if sides([x, y, z]).contains(&[b, a]) { [x, y, z] } else { [x, z, y] };
                     match found[j] {
@@ -135,42 +180,32 @@ pub fn oriented(surface: &SimplicialComplex) -> Option<Vec<[u32; 3]>> {
                             pending.push(j);
                         }
                         Some(other) if sides(other).contains(&[b, a]) => {}
-                        Some(_) => return None,
+                        Some(_) => return Ok(None),
                     }
                 }
             }
         }
     }
-    found.into_iter().collect()
+    Ok(found.into_iter().collect())
 }
 
 /// How many choices of a direction for each triangle run along every inner edge both ways, by trying all: 2 to the number of components for
 /// an orientable surface, 0 for another. CU-280.
 ///
 /// # Errors
-/// Iff there are more than 20 triangles.
-pub fn orientation_count(surface: &SimplicialComplex) -> Result<u32, TooManyTriangles> {
-    let triangles: Vec<&[u32]> = surface.of_dimension(2).map(Simplex::vertices).collect();
+/// `Edge` as for [`oriented`], else `TooMany` iff there are more than 20 triangles.
+pub fn orientation_count(surface: &SimplicialComplex) -> Result<u32, OrientationError> {
+    let triangles = triangles(surface);
+    let places = places(&triangles)?;
     if triangles.len() > 20 {
-        return Err(TooManyTriangles(triangles.len()));
-    }
-    let mut edges: BTreeMap<[u32; 2], Vec<(usize, bool)>> = BTreeMap::new();
-    for (i, t) in triangles.iter().enumerate() {
-        for (edge, forward) in [([t[0], t[1]], true), ([t[1], t[2]], true), ([t[0], t[2]], false)] {
-            edges.entry(edge).or_default().push((i, forward));
-        }
+        return Err(OrientationError::TooMany(triangles.len()));
     }
     // Two triangles at an edge have to run along it both ways: one equation in their directions each.
-    let equations: Vec<[(usize, bool); 2]> = edges.into_values().filter_map(|at| at.try_into().ok()).collect();
+    let equations: Vec<[(usize, bool); 2]> = places.into_values().filter_map(|at| at.try_into().ok()).collect();
     let fits =
         |turned: u32| equations.iter().all(|[(i, a), (j, b)]| (turned >> i & 1 == 1) ^ a != (turned >> j & 1 == 1) ^ b);
     Ok((0..1_u32 << triangles.len()).map(|turned| u32::from(fits(turned))).sum())
 }
-
-/// There are too many triangles to try all directions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("{0} triangles are more than 20")]
-pub struct TooManyTriangles(pub usize);
 
 /// The barycentric subdivision: a vertex for each simplex, numbered in order, a simplex for each chain of faces. It is homeomorphic to the
 /// complex. CU-290.

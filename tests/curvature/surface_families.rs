@@ -7,7 +7,8 @@ use isoracle::curvature::chart::{RationalPatch, scaled_axes};
 use isoracle::curvature::jet::Jet;
 use isoracle::curvature::parametric_surface::FundamentalForms;
 use isoracle::curvature::topology::{
-    Family, TooManyTriangles, barycentric_subdivision, moment_curve, orientation_count, oriented, sphere_with_tubes,
+    Family, NoRoom, OrientationError, barycentric_subdivision, moment_curve, orientation_count, oriented,
+    sphere_with_tubes,
 };
 use isoracle::curvature::trigonometric::{Angle, Trigonometric, circle_point};
 use isoracle::linear::Vector;
@@ -59,15 +60,19 @@ mod cu_280 {
             let gluing = glued_triangles(complex).expect("a surface");
             let expected = if gluing.is_orientable() { 1 << complex.component_count() } else { 0 };
             assert_eq!(count, expected);
-            assert_eq!(oriented(complex).is_some(), count > 0);
+            assert_eq!(oriented(complex).expect("a surface").is_some(), count > 0);
         }
-        assert_eq!(orientation_count(&double_torus()), Err(TooManyTriangles(26)));
+        assert_eq!(orientation_count(&double_torus()), Err(OrientationError::TooMany(26)));
+        // Three triangles at an edge are no surface.
+        let book = SimplicialComplex::from_vertices(&[[0, 1, 2], [0, 1, 3], [0, 1, 4]]).expect("different vertices");
+        let error = OrientationError::Edge { edge: [0, 1], triangles: 3 };
+        assert_eq!((oriented(&book), orientation_count(&book)), (Err(error), Err(error)));
     }
 
     #[test]
     fn an_orientation_runs_along_each_inner_edge_both_ways() {
         for complex in [sphere(2), SimplicialComplex::torus(), double_torus(), annulus()] {
-            let triangles = oriented(&complex).expect("orientable");
+            let triangles = oriented(&complex).expect("a surface").expect("orientable");
             assert_eq!(triangles.len(), complex.of_dimension(2).count());
             let sides: Vec<[u32; 2]> = triangles.iter().flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]).collect();
             let border = border(&complex, Dimension::Two);
@@ -149,7 +154,7 @@ mod cu_282 {
             })
         });
         let complex = SimplicialComplex::from_vertices(&triangles.collect::<Vec<_>>()).expect("different vertices");
-        assert!(oriented(&complex).is_some());
+        assert!(oriented(&complex).expect("a surface").is_some());
         assert_eq!(surfaces(&complex).expect("a disc")[0].to_string(), "disc");
     }
 }
@@ -200,7 +205,7 @@ mod cu_283 {
                     surfaces(&strip).expect("a surface")[0].to_string(),
                     if twisted { "Möbius band" } else { "annulus" }
                 );
-                assert_eq!(oriented(&strip).is_none(), twisted);
+                assert_eq!(oriented(&strip).expect("a surface").is_none(), twisted);
             }
         }
     }
@@ -349,7 +354,10 @@ mod cu_287 {
             assert_eq!(closed(&surface), ClosedSurface::NonOrientable { crosscaps: 2 * g + 2 });
         }
         assert_eq!(closed(&sphere_with_tubes(0, 1).expect("room for it")), closed(&klein_bottle()));
-        assert!(sphere_with_tubes(1000, 0).is_err());
+        let Err(NoRoom { wanted: usize::MAX, room }) = sphere_with_tubes(usize::MAX, 1) else {
+            panic!("there is no room")
+        };
+        assert!(sphere_with_tubes(room, 0).is_ok() && sphere_with_tubes(room, 1).is_err());
     }
 }
 
@@ -398,7 +406,7 @@ mod cu_289 {
             assert!(complex.surface_defects().is_empty());
             assert_eq!(closed(&complex), family.surface());
             // "Orientáveis", "não orientáveis": true of all but the third family with g = 0.
-            let is_right = oriented(&complex).is_some() == family.is_orientable_printed();
+            let is_right = oriented(&complex).expect("a surface").is_some() == family.is_orientable_printed();
             assert_eq!(is_right, family != Family::Bands(0));
         }
     }

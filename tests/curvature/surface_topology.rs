@@ -286,6 +286,11 @@ mod cu_278 {
     }
 
     #[test]
+    fn a_point_that_is_not_there_has_the_empty_component() {
+        assert_eq!([7, 16, u32::MAX].map(|x| digital_line().component(x, 0b111_1111)), [0, 0, 0]);
+    }
+
+    #[test]
     fn that_of_1_off_0_is_the_positive_half() {
         let punctured = LineSet::line().difference(&LineSet::point(q(0, 1)));
         let component: Vec<LineSet> =
