@@ -4,7 +4,8 @@ use super::jet::Jet;
 use super::trigonometric::{Angle, Trigonometric};
 use crate::number::Ring;
 
-/// The text's sphere σ(θ, φ) = (r sin θ cos φ, r sin θ sin φ, r cos θ), the further variable being r (002, exercise 2.28). CU-231.
+/// The text's sphere σ(θ, φ) = (r sin θ cos φ, r sin θ sin φ, r cos θ), the further variable being r (002, exercise
+/// 2.28). CU-231.
 ///
 /// With 0 < θ < π, 0 < φ < 2π it is injective and regular, and leaves out the half circle y = 0, x ≥ 0. CU-232.
 #[doc(alias = "CU-231")]
@@ -32,8 +33,9 @@ pub fn jets<const N: usize>(surface: &[Trigonometric<N>; 3]) -> [Jet<Trigonometr
     surface.each_ref().map(Trigonometric::jet)
 }
 
-/// A Möbius band around the circle of radius R: with η half the angle around the axis, the first angle here, and further variables R and t,
-/// ((R + t cos η) cos 2η, (R + t cos η) sin 2η, t sin η). The point of (η + π, −t) is that of (η, t). CU-283.
+/// A Möbius band around the circle of radius R: with η half the angle around the axis, the first angle here, and
+/// further variables R and t, ((R + t cos η) cos 2η, (R + t cos η) sin 2η, t sin η). The point of (η + π, −t) is that
+/// of (η, t). CU-283.
 #[doc(alias = "CU-283")]
 pub fn moebius_band() -> [Trigonometric<6>; 3] {
     let (c, s) = (Trigonometric::<6>::cos(Angle::First), Trigonometric::sin(Angle::First));
@@ -44,8 +46,8 @@ pub fn moebius_band() -> [Trigonometric<6>; 3] {
     [radius.clone() * &cosine, radius * &sine, t * &s]
 }
 
-/// y(x² + y² + z²) − R²y − 2Rxz − 2z(x² + y²), which is 0 on the Möbius band. Its gradient is 0 somewhere on every closed path that reverses
-/// the sides, for else ∇f/|∇f| would orient the band. CU-281.
+/// y(x² + y² + z²) − R²y − 2Rxz − 2z(x² + y²), which is 0 on the Möbius band. Its gradient is 0 somewhere on every
+/// closed path that reverses the sides, for else ∇f/|∇f| would orient the band. CU-281.
 #[doc(alias = "CU-281")]
 pub fn moebius_equation<K: Ring>([x, y, z]: &[K; 3], big_r: &K) -> K {
     let times = |a: &K, b: &K| a.clone() * b;

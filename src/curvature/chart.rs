@@ -74,8 +74,8 @@ impl RationalPatch {
     }
 }
 
-/// The plane ax + by + cz = d as a graph over the two axes that are left when the last one with a coefficient ≠ 0 is dropped; over x and y, as
-/// z = Ax + By + C, iff c ≠ 0 (002, example 2.15). CU-206.
+/// The plane ax + by + cz = d as a graph over the two axes that are left when the last one with a coefficient ≠ 0 is
+/// dropped; over x and y, as z = Ax + By + C, iff c ≠ 0 (002, example 2.15). CU-206.
 ///
 /// `None` iff a = b = c = 0.
 #[doc(alias = "CU-206")]
@@ -132,11 +132,11 @@ pub enum ChangeError {
     SecondOrder,
 }
 
-/// The change of parameters h = σ⁻¹∘τ to second order at a common point, from the jets of σ and τ there; `at` is where σ is taken.
-/// CU-209.
+/// The change of parameters h = σ⁻¹∘τ to second order at a common point, from the jets of σ and τ there; `at` is where
+/// σ is taken. CU-209.
 ///
-/// τᵢ = Σ ∂ᵢhₐ σₐ gives ∂h, and τᵢⱼ − Σ ∂ᵢhₐ ∂ⱼhᵦ σₐᵦ = Σ ∂ᵢ∂ⱼhₐ σₐ gives ∂∂h. Both parametrise one surface to second order iff
-/// the left sides are tangent; h is then invertible, with det ∂h ≠ 0.
+/// τᵢ = Σ ∂ᵢhₐ σₐ gives ∂h, and τᵢⱼ − Σ ∂ᵢhₐ ∂ⱼhᵦ σₐᵦ = Σ ∂ᵢ∂ⱼhₐ σₐ gives ∂∂h. Both parametrise one surface to second
+/// order iff the left sides are tangent; h is then invertible, with det ∂h ≠ 0.
 ///
 /// # Errors
 /// `Surface` iff one of them is singular, else the first order in which they differ.
@@ -172,7 +172,8 @@ pub fn change_of_parameters(
     Ok(change)
 }
 
-/// The map (x, y, z) ↦ (ax, by, cz) of the text's example 2.21, which takes the unit sphere to the ellipsoid with those half-axes. CU-214.
+/// The map (x, y, z) ↦ (ax, by, cz) of the text's example 2.21, which takes the unit sphere to the ellipsoid with
+/// those half-axes. CU-214.
 #[doc(alias = "CU-214")]
 #[doc(alias = "CU-285")]
 pub fn scaled_axes<K: Ring>(point: &[K; 3], axes: &[K; 3]) -> [K; 3] {

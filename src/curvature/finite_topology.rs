@@ -1,4 +1,5 @@
-//! Topologies on finite sets: open sets, splittings, connected sets, continuous maps. Here countable families are finite ones.
+//! Topologies on finite sets: open sets, splittings, connected sets, continuous maps. Here countable families are
+//! finite ones.
 
 use std::collections::BTreeSet;
 use thiserror::Error;
@@ -79,8 +80,8 @@ impl FiniteSpace {
         &self.open
     }
 
-    /// Every decomposition X = A ∪ B with A ∩ B = ∅ and A, B open in X, for a subset X of the space: A = U ∩ X with an open U. CU-276.
-    /// The trivial ones, with A or B empty, are among them; (A, B) and (B, A) are two.
+    /// Every decomposition X = A ∪ B with A ∩ B = ∅ and A, B open in X, for a subset X of the space: A = U ∩ X with an
+    /// open U. CU-276. The trivial ones, with A or B empty, are among them; (A, B) and (B, A) are two.
     #[doc(alias = "CU-276")]
     pub fn splittings(&self, subset: Points) -> Vec<[Points; 2]> {
         let open: BTreeSet<Points> = self.open.iter().map(|u| u & subset).collect();
@@ -100,7 +101,8 @@ impl FiniteSpace {
         subsets(subset).filter(|set| has_x(*set) && self.is_connected(*set)).fold(0, |union, set| union | set)
     }
 
-    /// Whether a map, by the images of the points, is continuous: the preimage of every open set of the *target* is open. CU-284.
+    /// Whether a map, by the images of the points, is continuous: the preimage of every open set of the *target* is
+    /// open. CU-284.
     ///
     /// # Panics
     /// Iff the map has not one image, a point of the target, for each point.
@@ -110,7 +112,8 @@ impl FiniteSpace {
         target.open.iter().all(|u| self.open.contains(&preimage(map, *u)))
     }
 
-    /// The same as the text prints it, with the open sets U of the *domain*, whose numbers are read as points of the target. CU-284.
+    /// The same as the text prints it, with the open sets U of the *domain*, whose numbers are read as points of the
+    /// target. CU-284.
     ///
     /// # Panics
     /// Iff the map has not one image for each point.

@@ -2,9 +2,11 @@
 
 use crate::number::Rational;
 
-/// A finite union of points and open intervals, also unbounded ones, by its cells: (−∞, p₁), {p₁}, (p₁, p₂), …, {pₙ}, (pₙ, ∞).
+/// A finite union of points and open intervals, also unbounded ones, by its cells: (−∞, p₁), {p₁}, (p₁, p₂), …, {pₙ},
+/// (pₙ, ∞).
 ///
-/// Normal form: no end pᵢ lies, with both its sides, in the set or out of it. So two of them are equal iff they are the same set. CU-275.
+/// Normal form: no end pᵢ lies, with both its sides, in the set or out of it. So two of them are equal iff they are
+/// the same set. CU-275.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[doc(alias = "CU-275")]
 pub struct LineSet {
@@ -87,8 +89,9 @@ impl LineSet {
         self.components().len() <= 1
     }
 
-    /// The open sets among families that are closed under countable unions and finite intersections, but not under all unions: at most
-    /// countable sets, and ℝ. They satisfy the printed axioms of a topology (002, definition 3.13). CU-274.
+    /// The open sets among families that are closed under countable unions and finite intersections, but not under all
+    /// unions: at most countable sets, and ℝ. They satisfy the printed axioms of a topology (002, definition 3.13).
+    /// CU-274.
     #[doc(alias = "CU-274")]
     pub fn is_open_printed(&self) -> bool {
         self.is_countable() || *self == LineSet::line()

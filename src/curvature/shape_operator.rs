@@ -1,4 +1,5 @@
-//! The Gauss map, its differential, the second fundamental form, and the principal directions of a parametrised surface.
+//! The Gauss map, its differential, the second fundamental form, and the principal directions of a parametrised
+//! surface.
 //!
 //! What has the factor 1/W, W = √(EG − F²), is kept times W, which makes it rational; the name then ends with `_w`.
 
@@ -57,8 +58,8 @@ impl GaussMap {
     }
 }
 
-/// What −dN does, from both fundamental forms, at a regular point. It is that of the surface: another parametrisation changes its matrix
-/// by ∂h, and its sign with that of det ∂h. CU-210.
+/// What −dN does, from both fundamental forms, at a regular point. It is that of the surface: another parametrisation
+/// changes its matrix by ∂h, and its sign with that of det ∂h. CU-210.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ShapeOperator {
     first: Matrix<Rational, 2, 2>,
@@ -79,7 +80,8 @@ pub enum PrincipalDirections {
     Two {
         /// Wk₁, Wk₂, in one field ℚ(√d).
         curvatures_w: [Surd; 2],
-        /// e₁ and e₂ by their coordinates in {σᵤ, σᵥ}, in the same field, not of unit length. Boxed, for they are large.
+        /// e₁ and e₂ by their coordinates in {σᵤ, σᵥ}, in the same field, not of unit length. Boxed, for they are
+        /// large.
         directions: Box<[[Surd; 2]; 2]>,
     },
 }
@@ -125,7 +127,8 @@ impl ShapeOperator {
         quadratic(&self.second_w, w, Rational::clone)
     }
 
-    /// Wκₙ = W II_p(w)/I_p(w), the normal curvature of every curve on the surface with the tangent w (Meusnier). CU-248.
+    /// Wκₙ = W II_p(w)/I_p(w), the normal curvature of every curve on the surface with the tangent w (Meusnier).
+    /// CU-248.
     ///
     /// `None` iff w = 0.
     #[doc(alias = "CU-248")]

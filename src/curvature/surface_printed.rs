@@ -1,5 +1,5 @@
-//! Formulas of parametrised surfaces as the text prints them, where that is not what holds, beside what holds. They take any
-//! numbers: those times W too.
+//! Formulas of parametrised surfaces as the text prints them, where that is not what holds, beside what holds. They
+//! take any numbers: those times W too.
 
 use crate::linear::{Matrix, Vector, determinant2};
 use crate::number::{OrderedField, Rational};
@@ -18,7 +18,8 @@ pub fn first_form_printed(w1: &Vector<Rational, 3>, w2: &Vector<Rational, 3>) ->
     w1.dot(w2)
 }
 
-/// "II_p: T_pS × T_pS → ℝ" as a function of two vectors, by the derivative of the Gauss map in the direction of the first. CU-239.
+/// "II_p: T_pS × T_pS → ℝ" as a function of two vectors, by the derivative of the Gauss map in the direction of the
+/// first. CU-239.
 pub fn second_form_printed(dn_of_first: &Vector<Rational, 3>, second: &Vector<Rational, 3>) -> Rational {
     -dn_of_first.dot(second)
 }
@@ -61,8 +62,8 @@ pub fn mixed_product_corrected(
     [sigma_u.dot(n_v), -sigma_uv.dot(n)]
 }
 
-/// The (a_ij) of equations (1), Nᵤ = a₁₁σᵤ + a₁₂σᵥ and Nᵥ = a₂₁σᵤ + a₂₂σᵥ, as the text solves for it: −(e f; f g)(E F; F G)⁻¹.
-/// Its rows are the coordinates of Nᵤ and Nᵥ. CU-256, CU-261, CU-262, CU-263.
+/// The (a_ij) of equations (1), Nᵤ = a₁₁σᵤ + a₁₂σᵥ and Nᵥ = a₂₁σᵤ + a₂₂σᵥ, as the text solves for it: −(e f; f g)(E F;
+/// F G)⁻¹. Its rows are the coordinates of Nᵤ and Nᵥ. CU-256, CU-261, CU-262, CU-263.
 ///
 /// `None` iff EG − F² = 0.
 #[doc(alias = "CU-256")]
@@ -108,7 +109,8 @@ pub fn entries_corrected([big_e, big_f, big_g]: &First, [e, f, g]: &Second) -> O
     ]))
 }
 
-/// The right sides of equations (2), in their order: ⟨σᵤ, Nᵤ⟩, ⟨σᵥ, Nᵥ⟩, ⟨σᵤ, Nᵥ⟩, ⟨σᵥ, Nᵤ⟩ by the (a_ij) of (1). CU-257.
+/// The right sides of equations (2), in their order: ⟨σᵤ, Nᵤ⟩, ⟨σᵥ, Nᵥ⟩, ⟨σᵤ, Nᵥ⟩, ⟨σᵥ, Nᵤ⟩ by the (a_ij) of (1).
+/// CU-257.
 #[doc(alias = "CU-257")]
 pub fn products(a: &Matrix<Rational, 2, 2>, [big_e, big_f, big_g]: &First) -> [Rational; 4] {
     let Matrix([[a11, a12], [a21, a22]]) = a;
@@ -120,8 +122,8 @@ pub fn products(a: &Matrix<Rational, 2, 2>, [big_e, big_f, big_g]: &First) -> [R
     ]
 }
 
-/// The right sides of the four lines that the text takes from (2): those of −f = ⟨Nᵤ, σᵥ⟩, −f = ⟨Nᵥ, σᵤ⟩, −e = ⟨Nᵤ, σᵤ⟩ and −g = ⟨Nᵥ, σᵥ⟩,
-/// with a₁₂ and a₂₁ interchanged. CU-260.
+/// The right sides of the four lines that the text takes from (2): those of −f = ⟨Nᵤ, σᵥ⟩, −f = ⟨Nᵥ, σᵤ⟩, −e = ⟨Nᵤ,
+/// σᵤ⟩ and −g = ⟨Nᵥ, σᵥ⟩, with a₁₂ and a₂₁ interchanged. CU-260.
 pub fn lines_printed(a: &Matrix<Rational, 2, 2>, [big_e, big_f, big_g]: &First) -> [Rational; 4] {
     let Matrix([[a11, a12], [a21, a22]]) = a;
     [

@@ -79,8 +79,8 @@ impl TangentPlane {
     }
 }
 
-/// The matrix of dφ: T_pS₁ → T_φ(p)S₂ in the bases {σ₁ᵤ, σ₁ᵥ} and {σ₂ᵤ, σ₂ᵥ}, from the jets of φ∘σ₁; its columns are the coordinates of
-/// (φ∘σ₁)ᵤ and (φ∘σ₁)ᵥ. CU-220.
+/// The matrix of dφ: T_pS₁ → T_φ(p)S₂ in the bases {σ₁ᵤ, σ₁ᵥ} and {σ₂ᵤ, σ₂ᵥ}, from the jets of φ∘σ₁; its columns are
+/// the coordinates of (φ∘σ₁)ᵤ and (φ∘σ₁)ᵥ. CU-220.
 ///
 /// # Errors
 /// Iff φ does not map into a surface with that tangent plane.

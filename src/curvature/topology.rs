@@ -41,8 +41,8 @@ impl Family {
         }
     }
 
-    /// "As superfícies nas duas primeiras famílias são orientáveis […] e no último item temos que as superfícies são não orientáveis": what the
-    /// text says of whether it is orientable. It is wrong for Bands(0). CU-289.
+    /// "As superfícies nas duas primeiras famílias são orientáveis […] e no último item temos que as superfícies são
+    /// não orientáveis": what the text says of whether it is orientable. It is wrong for Bands(0). CU-289.
     pub fn is_orientable_printed(self) -> bool {
         match self {
             Family::Sphere | Family::Handles(_) => true,
@@ -50,8 +50,8 @@ impl Family {
         }
     }
 
-    /// The text's construction, triangulated, less what a connected sum makes of it: a disc of the icosahedron is replaced by a torus less a
-    /// disc, or by a projective plane less one, a Möbius band, g times. CU-288.
+    /// The text's construction, triangulated, less what a connected sum makes of it: a disc of the icosahedron is
+    /// replaced by a torus less a disc, or by a projective plane less one, a Möbius band, g times. CU-288.
     #[doc(alias = "CU-288")]
     #[doc(alias = "CU-229")]
     pub fn triangulation(self) -> SimplicialComplex {
@@ -70,9 +70,9 @@ impl Family {
     }
 }
 
-/// A sphere with handles as the text makes it: for each, two disjoint discs are taken out, and a tube is glued to their borders so that an
-/// orientation of the sphere goes on along it (002, example 3.28). `mirrored` handles are glued the other way; one of them makes the
-/// surface one-sided. CU-287.
+/// A sphere with handles as the text makes it: for each, two disjoint discs are taken out, and a tube is glued to
+/// their borders so that an orientation of the sphere goes on along it (002, example 3.28). `mirrored` handles are
+/// glued the other way; one of them makes the surface one-sided. CU-287.
 ///
 /// # Errors
 /// Iff the triangles of the subdivided icosahedron do not suffice for so many.
@@ -152,8 +152,8 @@ fn places(triangles: &[[u32; 3]]) -> Result<Places, OrientationError> {
     }
 }
 
-/// The triangles of a surface, each inner edge run along both ways: an orientation, found by passing from triangle to triangle; `None` iff
-/// there is none. CU-280.
+/// The triangles of a surface, each inner edge run along both ways: an orientation, found by passing from triangle to
+/// triangle; `None` iff there is none. CU-280.
 ///
 /// # Errors
 /// `Edge` iff an edge has more than two triangles.
@@ -189,8 +189,8 @@ pub fn oriented(surface: &SimplicialComplex) -> Result<Option<Vec<[u32; 3]>>, Or
     Ok(found.into_iter().collect())
 }
 
-/// How many choices of a direction for each triangle run along every inner edge both ways, by trying all: 2 to the number of components for
-/// an orientable surface, 0 for another. CU-280.
+/// How many choices of a direction for each triangle run along every inner edge both ways, by trying all: 2 to the
+/// number of components for an orientable surface, 0 for another. CU-280.
 ///
 /// # Errors
 /// `Edge` as for [`oriented`], else `TooMany` iff there are more than 20 triangles.
@@ -207,8 +207,8 @@ pub fn orientation_count(surface: &SimplicialComplex) -> Result<u32, Orientation
     Ok((0..1_u32 << triangles.len()).map(|turned| u32::from(fits(turned))).sum())
 }
 
-/// The barycentric subdivision: a vertex for each simplex, numbered in order, a simplex for each chain of faces. It is homeomorphic to the
-/// complex. CU-290.
+/// The barycentric subdivision: a vertex for each simplex, numbered in order, a simplex for each chain of faces. It is
+/// homeomorphic to the complex. CU-290.
 pub fn barycentric_subdivision(complex: &SimplicialComplex) -> SimplicialComplex {
     let number: BTreeMap<&Simplex, u32> = complex.simplices().zip(0..).collect();
     let chains = complex.maximal().into_iter().flat_map(|simplex| {

@@ -1,4 +1,5 @@
-//! Polynomials in the sines and cosines of two angles, exactly: ℚ[c, s, c′, s′, …] modulo c² + s² = 1 and c′² + s′² = 1.
+//! Polynomials in the sines and cosines of two angles, exactly: ℚ[c, s, c′, s′, …] modulo c² + s² = 1 and c′² + s′² =
+//! 1.
 
 use super::jet::Jet;
 use crate::linear::{Matrix, Vector};
@@ -29,8 +30,8 @@ impl Angle {
 
 /// A polynomial in cos θ, sin θ, cos φ, sin φ and N − 4 further variables, such as a radius.
 ///
-/// Normal form: sin² = 1 − cos² leaves each sine with the exponent 0 or 1. Two of them are equal iff they are the same function of
-/// the angles and the further variables, for 1 and sin θ are independent over ℚ(cos θ). CU-201.
+/// Normal form: sin² = 1 − cos² leaves each sine with the exponent 0 or 1. Two of them are equal iff they are the same
+/// function of the angles and the further variables, for 1 and sin θ are independent over ℚ(cos θ). CU-201.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[doc(alias = "CU-201")]
 pub struct Trigonometric<const N: usize>(Multivariate<N>);
@@ -108,7 +109,8 @@ impl<const N: usize> Trigonometric<N> {
     }
 }
 
-/// (cos, sin) = ((1 − m²)/(1 + m²), 2m/(1 + m²)), at tan of half the angle = m: every rational point of the circle but (−1, 0).
+/// (cos, sin) = ((1 − m²)/(1 + m²), 2m/(1 + m²)), at tan of half the angle = m: every rational point of the circle but
+/// (−1, 0).
 pub fn circle_point(m: &Rational) -> [Rational; 2] {
     let square = Rational::from(m.square_ref());
     let scale = Rational::from(&square + 1).recip();

@@ -6,6 +6,7 @@ mod surface_curvatures;
 mod surface_families;
 mod surface_forms;
 mod surface_gauss;
+mod surface_orientation;
 mod surface_samples;
 mod surface_tangents;
 mod surface_topology;

@@ -64,7 +64,8 @@ mod cu_201 {
             let scale = (one.clone() + &square).reciprocal().expect("1 + m² > 0");
             let [c, s] = [(one - &square) * &scale, t * &Jet::integer(2) * &scale];
             let rest = place(&m, &q(1, 2));
-            let at = [c, s, Jet::constant(rest[2].clone()), Jet::constant(rest[3].clone()), Jet::constant(rest[4].clone())];
+            let at =
+                [c, s, Jet::constant(rest[2].clone()), Jet::constant(rest[3].clone()), Jet::constant(rest[4].clone())];
             let along = f.evaluate_in(&at, |x| Jet::constant(x.clone())).gradient[0].clone();
             let speed = q(2, 1) / (Rational::from(m.square_ref()) + 1_u32);
             prop_assert_eq!(Trigonometric::new(f).derivative(Angle::First).evaluate(&rest) * speed, along);
@@ -180,7 +181,9 @@ mod cu_206 {
 
     proptest! {
         #[test]
-        fn every_plane_is_the_graph_over_two_axes(n in prop::array::uniform3(-3..=3_i64), d in -5..=5_i64, [u, v] in pair()) {
+        fn every_plane_is_the_graph_over_two_axes(
+            n in prop::array::uniform3(-3..=3_i64), d in -5..=5_i64, [u, v] in pair(),
+        ) {
             let coefficients = n.map(|x| q(x, 1));
             let Some(patch) = plane_as_graph(&coefficients, &q(d, 1)) else {
                 prop_assert_eq!(n, [0, 0, 0]);
@@ -210,7 +213,9 @@ mod cu_207 {
 
     proptest! {
         #[test]
-        fn a_graph_is_regular_everywhere(terms in prop::collection::vec((prop::array::uniform2(0..=3_u32), -4..=4_i64), 0..6), at in pair()) {
+        fn a_graph_is_regular_everywhere(
+            terms in prop::collection::vec((prop::array::uniform2(0..=3_u32), -4..=4_i64), 0..6), at in pair(),
+        ) {
             let f = Multivariate::new(terms.into_iter().map(|(e, c)| (e, q(c, 1))));
             let patch = RationalPatch::graph(f.clone());
             prop_assert!(patch.tangent_plane(&at).is_ok());
@@ -232,7 +237,10 @@ mod cu_208 {
             let [here, there] = [&s, &there].map(|s| parametric_surface::curvature(s).expect("regular"));
             prop_assert_eq!(&here.forms.first, &there.forms.first);
             prop_assert_eq!(&here.forms.second_w, &there.forms.second_w);
-            prop_assert_eq!((here.gaussian, here.mean_squared, here.mean_sign), (there.gaussian, there.mean_squared, there.mean_sign));
+            prop_assert_eq!(
+                (here.gaussian, here.mean_squared, here.mean_sign),
+                (there.gaussian, there.mean_squared, there.mean_sign)
+            );
         }
 
         #[test]
@@ -241,7 +249,10 @@ mod cu_208 {
             let [here, there] = [&s, &mirrored].map(|s| parametric_surface::curvature(s).expect("regular"));
             prop_assert_eq!(&here.forms.first, &there.forms.first);
             prop_assert_eq!(here.forms.second_w.map(|x| -x), there.forms.second_w);
-            prop_assert_eq!((here.gaussian, here.mean_squared, -here.mean_sign), (there.gaussian, there.mean_squared, there.mean_sign));
+            prop_assert_eq!(
+                (here.gaussian, here.mean_squared, -here.mean_sign),
+                (there.gaussian, there.mean_squared, there.mean_sign)
+            );
         }
     }
 }
@@ -366,7 +377,9 @@ mod cu_212 {
 
     proptest! {
         #[test]
-        fn the_distance_squared_is_differentiable_on_every_surface(s in surface(), p in prop::array::uniform3(-4..=4_i64)) {
+        fn the_distance_squared_is_differentiable_on_every_surface(
+            s in surface(), p in prop::array::uniform3(-4..=4_i64),
+        ) {
             let jet = distance_squared(&s, &p.map(|x| Jet::constant(q(x, 1))));
             let away = Vector(s.each_ref().map(|x| x.value.clone())) - &vector(p);
             prop_assert_eq!(&jet.value, &away.norm_squared());
@@ -409,7 +422,9 @@ mod cu_214 {
 
     proptest! {
         #[test]
-        fn the_sphere_goes_onto_the_ellipsoid(at in pair(), axes in prop::array::uniform3((-4..=4_i64).prop_filter("not 0", |x| *x != 0))) {
+        fn the_sphere_goes_onto_the_ellipsoid(
+            at in pair(), axes in prop::array::uniform3((-4..=4_i64).prop_filter("not 0", |x| *x != 0)),
+        ) {
             let axes = axes.map(|x| Jet::constant(q(x, 3)));
             let sphere = RationalPatch::sphere(&q(1, 1)).jets(&at).expect("no pole");
             let image = scaled_axes(&sphere, &axes);

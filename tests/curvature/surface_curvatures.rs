@@ -80,7 +80,10 @@ mod cu_245 {
             let w_squared = n.norm_squared();
             let projection = n.scaled(&Rational::from(&found.normal_curvature_w / &w_squared));
             prop_assert!(plane.coordinates(&(found.curvature_vector.clone() - &projection)).is_ok());
-            prop_assert_eq!(projection.norm_squared(), Rational::from(found.normal_curvature_w.square_ref()) / w_squared);
+            prop_assert_eq!(
+                projection.norm_squared(),
+                Rational::from(found.normal_curvature_w.square_ref()) / w_squared
+            );
             prop_assert_eq!(Sign::of(projection.dot(&n).cmp0()), Sign::of(found.normal_curvature_w.cmp0()));
         }
     }
@@ -91,7 +94,9 @@ mod cu_246 {
 
     proptest! {
         #[test]
-        fn it_keeps_its_sign_with_the_curve_reversed_and_changes_it_with_the_surface(s in surface(), w in pair(), x in pair()) {
+        fn it_keeps_its_sign_with_the_curve_reversed_and_changes_it_with_the_surface(
+            s in surface(), w in pair(), x in pair(),
+        ) {
             let Some(found) = curve(&s, &w, &x) else { return Ok(()) };
             let back = w.each_ref().map(|x| Rational::from(-x));
             let reversed = curve(&s, &back, &x).expect("regular");
@@ -113,7 +118,8 @@ mod cu_247 {
         /// For |α′| = 1: σᵤ, σᵥ orthonormal, (u′, v′) on the unit circle.
         #[test]
         fn the_second_form_of_a_unit_tangent_is_the_normal_curvature(
-            a in rotation(), parts in [pair(), pair(), pair()], heights in prop::array::uniform3(-3..=3_i64), m in -6..=6_i64, x in pair(),
+            a in rotation(), parts in [pair(), pair(), pair()], heights in prop::array::uniform3(-3..=3_i64),
+            m in -6..=6_i64, x in pair(),
         ) {
             let [u, v, n] = [0, 1, 2].map(|i| a.column(i));
             let bend = |i: usize| u.scaled(&parts[i][0]) + &v.scaled(&parts[i][1]) + &n.scaled(&q(heights[i], 1));
@@ -138,7 +144,9 @@ mod cu_248 {
 
     proptest! {
         #[test]
-        fn curves_with_one_tangent_have_one_normal_curvature(s in surface(), w in pair(), x in [pair(), pair()], factor in 1..=5_i64) {
+        fn curves_with_one_tangent_have_one_normal_curvature(
+            s in surface(), w in pair(), x in [pair(), pair()], factor in 1..=5_i64,
+        ) {
             let [one, other] = [0, 1].map(|i| curve(&s, &w, &x[i]).map(|c| c.normal_curvature_w));
             prop_assert_eq!(&one, &other);
             prop_assert_eq!(&operator(&s).normal_curvature_w(&w), &one);
@@ -219,7 +227,8 @@ mod cu_251 {
         fn principal_directions_are_eigenvectors(s in surface()) {
             let FundamentalForms { first: [ee, ff, gg], second_w: [e, f, g], .. } = FundamentalForms::new(&s);
             let times = |a: &Rational, b: &Rational| Rational::from(a * b);
-            let coefficients = [times(&e, &ff) - times(&f, &ee), times(&e, &gg) - times(&g, &ee), times(&f, &gg) - times(&g, &ff)].map(Surd::from);
+            let coefficients =
+                [times(&e, &ff) - times(&f, &ee), times(&e, &gg) - times(&g, &ee), times(&f, &gg) - times(&g, &ff)].map(Surd::from);
             let (_, directions) = principal(&s);
             for [a, b] in directions {
                 let terms = [a.clone() * &a, a * &b, b.clone() * &b];
@@ -250,7 +259,8 @@ mod cu_252 {
         #[test]
         fn umbilics_are_where_the_second_form_is_a_multiple_of_the_first(s in surface(), w in pair()) {
             let FundamentalForms { first, second_w, .. } = FundamentalForms::new(&s);
-            let minor = |i: usize, j: usize| Rational::from(&first[i] * &second_w[j]) - Rational::from(&first[j] * &second_w[i]);
+            let minor =
+                |i: usize, j: usize| Rational::from(&first[i] * &second_w[j]) - Rational::from(&first[j] * &second_w[i]);
             let proportional = [minor(0, 1), minor(0, 2), minor(1, 2)].iter().all(|x| x.is_zero());
             let surface = parametric_surface::curvature(&s).expect("regular");
             prop_assert_eq!(proportional, surface.mean_squared == surface.gaussian);
@@ -320,14 +330,16 @@ mod cu_255 {
     use super::*;
 
     proptest! {
-        /// The plane through p along w and ∇f, in orthonormal coordinates: f has the gradient (0, |∇f|) and ∂²f = ⟨w, Hw⟩/|w|² along w,
-        /// so that its level curve has κ = −⟨w, Hw⟩/(|w|²|∇f|) toward N = ∇f/|∇f|.
+        /// The plane through p along w and ∇f, in orthonormal coordinates: f has the gradient (0, |∇f|) and ∂²f = ⟨w,
+        /// Hw⟩/|w|² along w, so that its level curve has κ = −⟨w, Hw⟩/(|w|²|∇f|) toward N = ∇f/|∇f|.
         #[test]
         fn a_normal_section_bends_as_the_surface_does(
-            terms in prop::collection::vec((prop::array::uniform2(0..=3_u32), -3..=3_i64), 0..6), at in pair(), w in pair(),
+            terms in prop::collection::vec((prop::array::uniform2(0..=3_u32), -3..=3_i64), 0..6), at in pair(),
+            w in pair(),
         ) {
             let g = Multivariate::<2>::new(terms.into_iter().map(|(e, c)| (e, q(c, 1))));
-            let f = Multivariate::<3>::variable(2) - &Multivariate::new(g.terms().map(|([i, j], c)| ([i, j, 0], c.clone())));
+            let f =
+                Multivariate::<3>::variable(2) - &Multivariate::new(g.terms().map(|([i, j], c)| ([i, j, 0], c.clone())));
             let graph = RationalPatch::graph(g.clone()).jets(&at).expect("a polynomial");
             let [x, y] = at;
             let z = g.evaluate(&[x.clone(), y.clone()]);

@@ -89,7 +89,8 @@ mod cu_228 {
     proptest! {
         #[test]
         fn e_f_g_have_the_derivatives_of_the_products(
-            x in prop::array::uniform3(prop::collection::vec((prop::array::uniform2(0..=3_u32), -3..=3_i64), 1..4)), at in pair(),
+            x in prop::array::uniform3(prop::collection::vec((prop::array::uniform2(0..=3_u32), -3..=3_i64), 1..4)),
+            at in pair(),
         ) {
             let x = x.map(|terms| Multivariate::<2>::new(terms.into_iter().map(|(e, c)| (e, q(c, 1)))));
             let surface = RationalPatch::polynomial(x.clone()).jets(&at).expect("a polynomial");
@@ -151,8 +152,8 @@ mod cu_232 {
     #[test]
     fn the_patch_reaches_all_but_a_half_circle() {
         for [x, y, z] in points() {
-            // σ(θ, φ) is the point, with sin θ > 0, iff cos θ = z and (cos φ, sin φ) = (x, y)/√(1 − z²). φ in (0, 2π) is excluded
-            // just by (cos φ, sin φ) = (1, 0); θ in (0, π) by z = ±1.
+            // σ(θ, φ) is the point, with sin θ > 0, iff cos θ = z and (cos φ, sin φ) = (x, y)/√(1 − z²). φ in (0, 2π)
+            // is excluded just by (cos φ, sin φ) = (1, 0); θ in (0, π) by z = ±1.
             let sine_squared = Rational::from(1) - Rational::from(z.square_ref());
             let reached = sine_squared > 0 && !(y.is_zero() && x > 0);
             let half_circle = y.is_zero() && x >= 0;

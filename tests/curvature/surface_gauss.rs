@@ -216,7 +216,8 @@ mod cu_239 {
             let operator = ShapeOperator::new(&FundamentalForms::new(&s)).expect("regular");
             let (dn, vector) = (gauss.differential_w(&w), plane.vector(&w));
             prop_assert_eq!(-dn.dot(&vector), operator.second_form_w(&w));
-            // A quadratic form takes −w to the same value; as a function of a pair it takes (w, −w) to the opposite one.
+            // A quadratic form takes −w to the same value; as a function of a pair it takes (w, −w) to the opposite
+            // one.
             let opposite = w.each_ref().map(|x| Rational::from(-x));
             prop_assert_eq!(operator.second_form_w(&opposite), operator.second_form_w(&w));
             prop_assert_eq!(surface_printed::second_form_printed(&dn, &-vector), -operator.second_form_w(&w));

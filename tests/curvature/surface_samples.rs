@@ -27,7 +27,8 @@ pub fn jets(at: &Vector<Rational, 3>, first: [&Vector<Rational, 3>; 2], second: 
     })
 }
 
-/// Regular surfaces to second order: any small ones; with σᵥ next to a multiple of σᵤ; umbilic or next to it; with σᵤ ⟂ σᵥ.
+/// Regular surfaces to second order: any small ones; with σᵥ next to a multiple of σᵤ; umbilic or next to it; with σᵤ
+/// ⟂ σᵥ.
 pub fn surface() -> impl Strategy<Value = Jets> {
     let any = (small(), small(), small(), [small(), small(), small()])
         .prop_map(|(at, u, v, [uu, uv, vv])| jets(&at, [&u, &v], [&uu, &uv, &vv]));

@@ -20,7 +20,8 @@ mod cu_215 {
 
     #[test]
     fn a_great_circle_leaves_the_patch() {
-        // α(t) = (sin t, 0, cos t), 0 < t < π, is on the sphere. α(t) = σ(θ, φ), sin θ > 0, has cos φ = 1: φ is in no (0, 2π).
+        // α(t) = (sin t, 0, cos t), 0 < t < π, is on the sphere. α(t) = σ(θ, φ), sin θ > 0, has cos φ = 1: φ is in no
+        // (0, 2π).
         for n in 1..20 {
             let [z, x] = circle_point(&q(n, 7));
             let sine = x.clone(); // sin θ > 0 and sin²θ = 1 − z² = x²
@@ -55,7 +56,10 @@ mod cu_216 {
                 Vector(s.each_ref().map(|x| composition(x, path).gradient[0].clone()))
             };
             let none = [q(0, 1), q(0, 1)];
-            prop_assert_eq!([velocity(&path(&[q(1, 1), q(0, 1)], &none)), velocity(&path(&[q(0, 1), q(1, 1)], &none))], basis(&s));
+            prop_assert_eq!(
+                [velocity(&path(&[q(1, 1), q(0, 1)], &none)), velocity(&path(&[q(0, 1), q(1, 1)], &none))],
+                basis(&s)
+            );
             // With another u(t), such as a constant or t² at t = 0, it has no tangent there.
             for second in [q(0, 1), q(2, 1)] {
                 prop_assert_eq!(velocity(&path(&none, &[second, q(0, 1)])), Vector::zero());
@@ -69,7 +73,9 @@ mod cu_217 {
 
     proptest! {
         #[test]
-        fn velocities_are_the_image_of_the_differential(s in surface(), w in pair(), second in pair(), bump in prop::array::uniform3(-2..=2_i64)) {
+        fn velocities_are_the_image_of_the_differential(
+            s in surface(), w in pair(), second in pair(), bump in prop::array::uniform3(-2..=2_i64),
+        ) {
             let plane = TangentPlane::new(&s).expect("regular");
             let curve = s.each_ref().map(|x| composition(x, &path(&w, &second)));
             let velocity = Vector(curve.each_ref().map(|x| x.gradient[0].clone()));
@@ -121,7 +127,8 @@ mod cu_220 {
     proptest! {
         #[test]
         fn the_image_velocity_depends_on_the_velocity_alone_and_linearly(
-            at in pair(), [w, x] in [pair(), pair()], second in [pair(), pair()], axes in prop::array::uniform3(1..=4_i64),
+            at in pair(), [w, x] in [pair(), pair()], second in [pair(), pair()],
+            axes in prop::array::uniform3(1..=4_i64),
         ) {
             let axes = axes.map(|x| Jet::constant(q(x, 2)));
             let sphere = RationalPatch::sphere(&q(1, 1)).jets(&at).expect("no pole");
@@ -156,7 +163,9 @@ mod cu_221 {
 
     proptest! {
         #[test]
-        fn tangent_vectors_go_to_tangent_vectors_and_a_constant_map_forgets_them(s in surface(), t in surface(), w in pair()) {
+        fn tangent_vectors_go_to_tangent_vectors_and_a_constant_map_forgets_them(
+            s in surface(), t in surface(), w in pair(),
+        ) {
             let target = TangentPlane::new(&t).expect("regular");
             let constant = t.each_ref().map(|x| Jet::constant(x.value.clone()));
             let matrix = differential(&constant, &target).expect("0 is tangent");

@@ -126,7 +126,8 @@ mod cu_274 {
 
     #[test]
     fn countable_unions_are_not_all_unions() {
-        // At most countable sets and ℝ: closed under unions and intersections of the sets that can be written down here.
+        // At most countable sets and ℝ: closed under unions and intersections of the sets that can be written down
+        // here.
         let sets: Vec<LineSet> = (0..128).map(of_cells).filter(LineSet::is_open_printed).collect();
         assert_eq!(sets.len(), 9);
         assert!(LineSet::empty().is_open_printed() && LineSet::line().is_open_printed());
@@ -328,7 +329,8 @@ mod cu_284 {
         let space = |n: u32, open: &[Points]| FiniteSpace::new(n, open.iter().copied()).expect("a topology");
         let (trivial, discrete) = (space(2, &[0, 3]), space(2, &[0, 1, 2, 3]));
         assert!(trivial.is_continuous_printed(&[0, 1]) && !trivial.is_continuous(&[0, 1], &discrete));
-        // Values that are no points of the domain, as those of f: ℝ² → ℝ: all preimages are empty, and every map passes.
+        // Values that are no points of the domain, as those of f: ℝ² → ℝ: all preimages are empty, and every map
+        // passes.
         let four = FiniteSpace::new(4, 0..16).expect("the discrete topology");
         assert!(trivial.is_continuous_printed(&[2, 3]) && !trivial.is_continuous(&[2, 3], &four));
     }

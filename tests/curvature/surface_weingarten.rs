@@ -72,7 +72,8 @@ mod cu_258 {
     proptest! {
         #[test]
         fn the_products_with_n_are_differentiated(s in surface()) {
-            let ([u, v], GaussMap { normal_w: n, derivatives_w: [nu, nv] }) = (basis(&s), GaussMap::new(&s).expect("regular"));
+            let ([u, v], GaussMap { normal_w: n, derivatives_w: [nu, nv] }) =
+                (basis(&s), GaussMap::new(&s).expect("regular"));
             prop_assert_eq!(u.dot(&nu), -second(&s, 0, 0).dot(&n));
             prop_assert_eq!(v.dot(&nv), -second(&s, 1, 1).dot(&n));
             let [left, right] = text::mixed_product_corrected(&u, &nv, &second(&s, 0, 1), &n);
@@ -100,7 +101,8 @@ mod cu_259 {
     proptest! {
         #[test]
         fn e_f_and_g_are_the_products_with_n(s in surface()) {
-            let ([u, v], GaussMap { normal_w: n, derivatives_w: [nu, nv] }) = (basis(&s), GaussMap::new(&s).expect("regular"));
+            let ([u, v], GaussMap { normal_w: n, derivatives_w: [nu, nv] }) =
+                (basis(&s), GaussMap::new(&s).expect("regular"));
             let e = [-nu.dot(&u), n.dot(&second(&s, 0, 0))];
             let f = [text::f_corrected(&nv, &u), n.dot(&second(&s, 0, 1)), n.dot(&second(&s, 1, 0)), -nu.dot(&v)];
             let g = [-nv.dot(&v), n.dot(&second(&s, 1, 1))];
