@@ -50,8 +50,8 @@ impl Family {
         }
     }
 
-    /// The text's construction, triangulated, less what a connected sum makes of it: a disc of the icosahedron is
-    /// replaced by a torus less a disc, or by a projective plane less one, a Möbius band, g times. CU-288.
+    /// The text's construction as connected sums: g times a disc is replaced by a torus less a disc, or by a projective
+    /// plane less a disc, which is a Möbius band; on the icosahedron. CU-288.
     #[doc(alias = "CU-288")]
     #[doc(alias = "CU-229")]
     pub fn triangulation(self) -> SimplicialComplex {

@@ -6,12 +6,12 @@ use isoracle::curvature::jet::Jet;
 use isoracle::curvature::topology::{
     Family, NoRoom, barycentric_subdivision, moment_curve, oriented, sphere_with_tubes,
 };
-use isoracle::linear::Vector;
+use isoracle::linear::{Matrix, Vector, determinant};
 use isoracle::mesh::classify::{ClosedSurface, Surface, glued_triangles, surfaces};
 use isoracle::mesh::connected_sum::{connected_sum, cycle, with_disc_replaced};
 use isoracle::mesh::examples::surfaces::{
-    annulus, csaszar, double_torus, icosahedron, klein_bottle, moebius_band as band_of_triangles, projective_plane,
-    sphere,
+    annulus, ball, csaszar, double_torus, icosahedron, klein_bottle, moebius_band as band_of_triangles,
+    projective_plane, sphere,
 };
 use isoracle::mesh::gluing::Gluing;
 use isoracle::mesh::manifold::{Dimension, border};
@@ -87,15 +87,20 @@ mod cu_286 {
     /// tetrahedra, have two sides.
     #[test]
     fn closed_surfaces_in_a_triangulated_3_sphere_are_orientable() {
-        let pairs = |i: u32, j: u32| {
-            let mut t = [i, (i + 1) % 7, j, (j + 1) % 7];
-            t.sort_unstable();
-            t
+        // The facets of the convex hull: the other points lie on one side of their hyperplane.
+        let points = moment_curve(7);
+        let side = |facet: &[u32; 4], other: u32| {
+            let rows = [facet[0], facet[1], facet[2], facet[3], other].map(|i| &points[i as usize].0);
+            determinant(&Matrix::<Rational, 5, 5>::from_fn(|i, j| if j < 4 { rows[i][j].clone() } else { q(1, 1) })) > 0
         };
-        let tetrahedra: Vec<[u32; 4]> = (0..7)
-            .flat_map(|i| (i + 2..7).map(move |j| (i, j)))
-            .filter(|(i, j)| (j + 1) % 7 != *i)
-            .map(|(i, j)| pairs(i, j))
+        let quadruples = ball(6).simplices().filter(|s| s.dimension() == 3).cloned().collect::<Vec<_>>();
+        let quadruples = quadruples.iter().map(|s| <[u32; 4]>::try_from(s.vertices()).expect("four vertices"));
+        let tetrahedra: Vec<[u32; 4]> = quadruples
+            .filter(|facet| {
+                let mut sides = (0..7).filter(|i| !facet.contains(i)).map(|i| side(facet, i));
+                let first = sides.next();
+                sides.all(|side| Some(side) == first)
+            })
             .collect();
         assert_eq!(tetrahedra.len(), 14);
         let mut tori = 0;
