@@ -20,7 +20,7 @@ pub mod normalize;
 pub mod parametric_curve;
 pub mod parametric_surface;
 pub mod principal;
-pub mod shape_operator;
+pub mod gauss_map;
 pub mod surface_printed;
 pub mod tangent;
 pub mod topology;

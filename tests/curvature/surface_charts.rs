@@ -324,7 +324,7 @@ mod cu_209 {
 
 mod cu_210 {
     use super::*;
-    use isoracle::curvature::shape_operator::ShapeOperator;
+    use isoracle::curvature::gauss_map::ShapeOperator;
     use isoracle::number::Sign;
 
     proptest! {

@@ -6,7 +6,7 @@ use isoracle::curvature::chart::{RationalPatch, composition};
 use isoracle::curvature::implicit_surface;
 use isoracle::curvature::jet::Jet;
 use isoracle::curvature::parametric_surface::{self, FundamentalForms};
-use isoracle::curvature::shape_operator::{CurveOnSurface, GaussMap, PrincipalDirections, ShapeOperator};
+use isoracle::curvature::gauss_map::{CurveOnSurface, GaussMap, PrincipalDirections, ShapeOperator};
 use isoracle::curvature::tangent::TangentPlane;
 use isoracle::curvature::trigonometric::circle_point;
 use isoracle::linear::{Matrix, Vector};

@@ -5,7 +5,7 @@ use super::surface_samples::{Jets, basis, jets, pair, rotation, second, surface}
 use isoracle::curvature::angle_surfaces;
 use isoracle::curvature::chart::RationalPatch;
 use isoracle::curvature::parametric_surface::{self, FundamentalForms};
-use isoracle::curvature::shape_operator::{GaussMap, PrincipalDirections, ShapeOperator};
+use isoracle::curvature::gauss_map::{GaussMap, PrincipalDirections, ShapeOperator};
 use isoracle::curvature::surface_printed as text;
 use isoracle::curvature::tangent::TangentPlane;
 use isoracle::curvature::trigonometric::{Angle, Trigonometric};
