@@ -10,6 +10,9 @@
 //! square with a sign, or as an enclosure.
 
 pub mod gradient;
+pub mod angle_surfaces;
+pub mod chart;
+pub mod finite_topology;
 pub mod implicit_curve;
 pub mod implicit_function;
 pub mod implicit_graph;
@@ -17,6 +20,7 @@ pub mod implicit_printed;
 pub mod implicit_surface;
 pub mod jet;
 pub mod motion;
+pub mod line_set;
 pub mod normalize;
 pub mod normalize_derivative;
 pub mod parametric_curve;
@@ -28,3 +32,8 @@ pub mod regular_value;
 pub mod sampled;
 pub mod shape_operator;
 pub mod surface_geometry;
+pub mod gauss_map;
+pub mod surface_printed;
+pub mod tangent;
+pub mod topology;
+pub mod trigonometric;

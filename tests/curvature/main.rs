@@ -14,6 +14,16 @@ mod regular_value;
 mod sampled;
 mod shape_operator;
 mod small_jets;
+mod surface_charts;
+mod surface_curvatures;
+mod surface_families;
+mod surface_forms;
+mod surface_gauss;
+mod surface_orientation;
+mod surface_samples;
+mod surface_tangents;
+mod surface_topology;
+mod surface_weingarten;
 
 use isoracle::number::Rational;
 
