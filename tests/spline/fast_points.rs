@@ -231,10 +231,10 @@ mod sp_306 {
         let s = 2_f64.powi(50);
         for m in [3_002_399_751_580_333_i64, 3_002_399_751_580_335, 4_000_000_000_000_001, 4_000_000_000_000_003] {
             for tiny in [0.0, 2_f64.powi(-120), -2_f64.powi(-120)] {
-                let (a, b, d) = ([0.0, s, -s], [4 * m, m, 0, m].map(|x| x as f64), [s, 0.0, 0.0, 0.0, 0.0]);
+                let (a, b, d) = ([0.0, s, -s], [4 * m, m, 0, m].map(|x| x as f64), [0.0, s, 0.0, 0.0, s]);
                 let mut g: Vec<f64> = (0..60).map(|i| a[i % 3] + b[i / 3 % 4] + d[i / 12]).collect();
-                // A sample that is 0.
-                let place = 3 * 2 + 12;
+                // A sample that is 0, in the line along y through the point: it moves B″.
+                let place = 3 * 2;
                 assert_eq!(g[place], 0.0);
                 g[place] = tiny;
                 let origin = [q(0, 1), q(0, 1), q(0, 1)];

@@ -357,7 +357,8 @@ mod tests {
                 let (hi, lo) = two_sum(simd, fraction(), fraction() * 2_f64.powi(-54 - i % 3));
                 Doubled::<Scalar> { hi, lo, err }
             };
-            let (x, y) = (number(0.0), number(0.0));
+            // y is shorter, so that its last bits lie below those of x.
+            let (x, y) = (number(0.0), number(0.0).scaled(simd, 2_f64.powi(-i % 40)));
             let m = Float::with_val(CONSTANT_BITS, 1_u32) / (4_u32 + i.unsigned_abs());
             let product = times(simd, Doubled { ..x }, Factor::new(simd, Constant::new(&m)));
             inexact[0] += u32::from(!assert_bounded(&product, &(value(&x) / (4 + i))));

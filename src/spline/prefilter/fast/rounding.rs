@@ -12,31 +12,30 @@ const FOUR_UNITS: f64 = 1.0 / (1_u64 << 51) as f64;
 /// The precision of the first look at a quotient.
 const QUOTIENT_BITS: u32 = 128;
 
-/// The factor 2^s that numbers were scaled by, and between which scaled numbers rounding is that of 53 bits.
+/// The factor 2^s that numbers were scaled by, and the scaled number above which rounding is that of 53 bits.
 pub(super) struct Scale {
     back: [f64; 2],
     least: f64,
-    most: f64,
 }
 
 impl Scale {
     pub(super) fn new(s: i32) -> Scale {
         let [p, q] = powers(s);
         let [back_p, back_q] = powers(-s);
-        Scale { back: [back_p, back_q], least: f64::MIN_POSITIVE * p * q, most: f64::MAX.min(f64::MAX * p * q) }
+        Scale { back: [back_p, back_q], least: f64::MIN_POSITIVE * p * q }
     }
 
     /// Whether hi/2^s is nearest to all of (hi + lo ± err)/2^s. SP-302.
     ///
-    /// Rounding is monotone: if both ends round to hi, so does all between. Above the least normal number and up to the largest
-    /// finite one, dividing by 2^s commutes with it.
+    /// Rounding is monotone: if both ends round to hi, so does all between. Above the least normal number dividing by 2^s commutes
+    /// with it, where what is 2¹⁰²⁴ in 53 bits is an infinity.
     #[inline(always)]
     pub(super) fn decides(&self, hi: f64, lo: f64, err: f64) -> bool {
         // Wider by more than the roundings of err and of lo ± err.
         let err = err * INFLATION + lo.abs() * FOUR_UNITS;
         let (above, below) = (hi + (lo + err), hi + (lo - err));
         let is_zero = hi == 0.0 && err == 0.0;
-        (above == hi) & (below == hi) & (hi.abs() > self.least) & (hi.abs() <= self.most) | is_zero
+        (above == hi) & (below == hi) & (hi.abs() > self.least) | is_zero
     }
 
     /// x/2^s, where that is a binary64.
