@@ -9,7 +9,7 @@ use crate::curvature::implicit_curve::SingularPoint;
 use crate::curvature::implicit_surface::{LevelSurface, curvature};
 use crate::curvature::jet::Jet;
 use crate::linear::{Matrix, Vector};
-use crate::number::{Interval, Rational, Trivariate};
+use crate::number::{Integer, Interval, Rational, Trivariate};
 
 /// The precision, in bits, of the enclosures of mean curvatures.
 const PRECISION: u32 = 512;
@@ -97,14 +97,23 @@ pub fn order_in_hundredths(coarse: &Rational, fine: &Rational) -> Option<i64> {
     if coarse.cmp0().is_le() || fine.cmp0().is_le() {
         return None;
     }
-    // ⌊log₂(r¹⁰⁰)⌋, from the lengths of numerator and denominator.
     let ratio = Rational::from(coarse / fine);
-    let power = (0..100).fold(Rational::from(1), |power, _| power * &ratio);
-    let length = |x: &crate::number::Integer| i64::from(x.significant_bits());
-    let estimate = length(power.numer()) - length(power.denom());
+    // ⌊log₂(r¹⁰⁰)⌋. The power of an enclosure settles it but for a ratio within 2⁻²⁴⁰ or so of a root of a power of two.
+    let enclosed = Interval::from_rational(&ratio, 256);
+    let (lo, hi) = (0..99).fold(enclosed.clone(), |power, _| power * &enclosed).bounds()?;
+    match (floor_of_logarithm(lo), floor_of_logarithm(hi)) {
+        (low, high) if low == high => Some(low),
+        _ => Some(floor_of_logarithm((0..99).fold(ratio.clone(), |power, _| power * &ratio))),
+    }
+}
+
+/// ⌊log₂ x⌋, x > 0, from the lengths of numerator and denominator.
+fn floor_of_logarithm(x: Rational) -> i64 {
+    let length = |n: &Integer| i64::from(n.significant_bits());
+    let estimate = length(x.numer()) - length(x.denom());
     // The estimate is ⌊log₂⌋ or one more.
-    let shifted = if estimate >= 0 { power >> estimate as u32 } else { power << estimate.unsigned_abs() as u32 };
-    Some(if shifted >= 1 { estimate } else { estimate - 1 })
+    let shifted = if estimate >= 0 { x >> estimate as u32 } else { x << estimate.unsigned_abs() as u32 };
+    if shifted >= 1 { estimate } else { estimate - 1 }
 }
 
 /// The same from enclosures, where they settle it.

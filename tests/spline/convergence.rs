@@ -198,9 +198,9 @@ mod sp_409 {
         let mut settings = insta::Settings::clone_current();
         settings.set_snapshot_path("../../snapshots");
         settings.set_prepend_module_to_snapshot(false);
-        settings.bind(|| insta::assert_snapshot!("sp_409__orders", text(&[4, 8, 16, 32, 64], &[Boundary::Mirror])));
+        settings.bind(|| insta::assert_snapshot!("sp_409__orders", text(&[16, 32, 64, 128], &[Boundary::Mirror])));
         if is_long() {
-            let long = text(&[32, 64, 128, 256], &[Boundary::Mirror, Boundary::Periodic]);
+            let long = text(&[16, 32, 64, 128, 256], &[Boundary::Mirror, Boundary::Periodic]);
             settings.bind(|| insta::assert_snapshot!("sp_409__orders_long", long));
         }
     }
