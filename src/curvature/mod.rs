@@ -9,18 +9,19 @@
 //! Everything here is computed from [`Jet`](jet::Jet)s, exactly. What is irrational leaves as a number of ℚ(√d), as a rational
 //! square with a sign, or as an enclosure.
 
-pub mod gradient;
 pub mod angle_surfaces;
 pub mod chart;
 pub mod finite_topology;
+pub mod gauss_map;
+pub mod gradient;
 pub mod implicit_curve;
 pub mod implicit_function;
 pub mod implicit_graph;
 pub mod implicit_printed;
 pub mod implicit_surface;
 pub mod jet;
-pub mod motion;
 pub mod line_set;
+pub mod motion;
 pub mod normalize;
 pub mod normalize_derivative;
 pub mod parametric_curve;
@@ -32,7 +33,6 @@ pub mod regular_value;
 pub mod sampled;
 pub mod shape_operator;
 pub mod surface_geometry;
-pub mod gauss_map;
 pub mod surface_printed;
 pub mod tangent;
 pub mod topology;
