@@ -1,7 +1,8 @@
 //! The certified prefilter: whole volumes, random, decaying from an impulse, and odd about a plane of exact zeros.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use isoracle::spline::prefilter::fast::coefficients;
+use isoracle::number::Rational;
+use isoracle::spline::prefilter::fast::{Enclosed, coefficients};
 use isoracle::spline::signal::Boundary;
 use std::hint::black_box;
 
@@ -19,7 +20,7 @@ fn volumes(criterion: &mut Criterion) {
         let mut seed = 1;
         let random: Vec<f64> = (0..count).map(|_| fraction(&mut seed)).collect();
         let impulse: Vec<f64> = (0..count).map(|i| if i == 5 { 1.0 } else { 0.0 }).collect();
-        // x ↦ side − 1 − x turns the sign: nothing is in doubt, for there is no sample on the plane.
+        // x ↦ side − 1 − x turns the sign; no sample lies on the plane between, so nothing is in doubt.
         let odd: Vec<f64> = (0..count)
             .map(|i| if i % side < side / 2 { random[i] } else { -random[i / side * side + side - 1 - i % side] })
             .collect();
@@ -48,5 +49,20 @@ fn volumes(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, volumes);
+/// Jets and curvatures at points of a volume whose coefficients are enclosed already.
+fn points(criterion: &mut Criterion) {
+    const SIDE: usize = 32;
+    let mut seed = 1;
+    let volume: Vec<f64> = (0..SIDE.pow(3)).map(|_| fraction(&mut seed)).collect();
+    let volume = Enclosed::new(&volume, [SIDE; 3], Boundary::Mirror).expect("sound");
+    let coordinate = |seed: &mut u64| Rational::from_f64(fraction(seed) * SIDE as f64).expect("finite");
+    let points: Vec<[Rational; 3]> = (0..100).map(|_| std::array::from_fn(|_| coordinate(&mut seed))).collect();
+    let mut group = criterion.benchmark_group("spline/prefilter/fast/points");
+    group.throughput(Throughput::Elements(points.len() as u64)).sample_size(10);
+    group.bench_function("jets", |bencher| bencher.iter(|| volume.jets(black_box(&points))));
+    group.bench_function("level surfaces", |bencher| bencher.iter(|| volume.level_surfaces(black_box(&points))));
+    group.finish();
+}
+
+criterion_group!(benches, volumes, points);
 criterion_main!(benches);

@@ -11,6 +11,11 @@ use isoracle::spline::signal::{Boundary, Signal};
 use isoracle::spline::tensor::Spline;
 use proptest::prelude::*;
 
+/// Whether the long form of a test is asked for: the environment has `ISORACLE_LONG=1`.
+fn is_long() -> bool {
+    std::env::var("ISORACLE_LONG").is_ok_and(|value| value == "1")
+}
+
 const BOTH: [Boundary; 2] = [Boundary::Mirror, Boundary::Periodic];
 
 fn spline<const N: usize>(samples: &[f64], shape: [usize; N], boundary: Boundary) -> Spline<N> {
@@ -77,7 +82,7 @@ mod sp_305 {
     use super::*;
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(24))]
+        #![proptest_config(ProptestConfig::with_cases(if is_long() { 500 } else { 24 }))]
         #[test]
         fn jets_are_rounded(
             numbers in prop::collection::vec(number(), 48), mirror in any::<bool>(),
@@ -153,7 +158,7 @@ mod sp_306 {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(24))]
+        #![proptest_config(ProptestConfig::with_cases(if is_long() { 200 } else { 6 }))]
         #[test]
         fn curvatures_are_rounded(
             numbers in prop::collection::vec(number(), 36), mirror in any::<bool>(),
