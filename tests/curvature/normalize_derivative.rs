@@ -9,11 +9,11 @@ use isoracle::number::{Enclosure, Interval, OrderedField, Rational, Ring, Sign, 
 use proptest::prelude::*;
 
 fn enclosed(x: &Rational) -> Interval {
-    Interval::from_rational(x, 200)
+    Interval::from_rational(x, 700)
 }
 
 fn value(slope: &Rational, x: &Rational) -> Interval {
-    normalize(slope, x, 200).expect("λ > 0")
+    normalize(slope, x, 700).expect("λ > 0")
 }
 
 fn slope() -> impl Strategy<Value = Rational> {
@@ -59,7 +59,7 @@ mod cu_363 {
             let h = q(step.0, step.1);
             let far = Rational::from(&near + &(h.clone() * sign));
             let rise = (value(&l, &far) - &value(&l, &near)) * &enclosed(&(h.recip() * sign));
-            let [least, most] = [&far, &near].map(|x| normalize_derivative(&l, x, 200).expect("λ > 0"));
+            let [least, most] = [&far, &near].map(|x| normalize_derivative(&l, x, 700).expect("λ > 0"));
             prop_assert_eq!((rise.clone() - &least).known_sign(), Some(Sign::Positive));
             prop_assert_eq!((most - &rise).known_sign(), Some(Sign::Positive));
         }
@@ -70,12 +70,12 @@ mod cu_363 {
         let (l, zero) = (q(3, 2), q(0, 1));
         // e⁰/2 = 1 − e⁰/2
         assert!(value(&l, &zero).contains(&q(1, 2)));
-        let at_zero = normalize_derivative(&l, &zero, 200).expect("λ > 0");
+        let at_zero = normalize_derivative(&l, &zero, 700).expect("λ > 0");
         assert!(at_zero.contains(&q(3, 4)));
         // (n′(h) − n′(0))/h tends to −λ²/2 from the right and to λ²/2 from the left: n is C¹ and not C².
         for (sign, limit) in [(1_i64, q(-9, 8)), (-1, q(9, 8))] {
             let h = q(sign, 1 << 40);
-            let quotient = (normalize_derivative(&l, &h, 200).expect("λ > 0") - &at_zero) * &enclosed(&h.recip());
+            let quotient = (normalize_derivative(&l, &h, 700).expect("λ > 0") - &at_zero) * &enclosed(&h.recip());
             let margin = enclosed(&q(1, 1 << 30));
             let off = quotient - &enclosed(&limit);
             assert_eq!((margin.clone() - &off).known_sign(), Some(Sign::Positive));
@@ -90,10 +90,10 @@ mod cu_364 {
     #[test]
     fn the_slope_is_greatest_at_0_and_half_of_lambda() {
         for l in [q(1, 2), q(1, 1), q(7, 3)] {
-            let at_zero = normalize_derivative(&l, &q(0, 1), 200).expect("λ > 0");
+            let at_zero = normalize_derivative(&l, &q(0, 1), 700).expect("λ > 0");
             assert!(at_zero.contains(&Rational::from(&l / 2_u32)));
             for x in [q(-1, 9), q(1, 9), q(5, 1)] {
-                let there = normalize_derivative(&l, &x, 200).expect("λ > 0");
+                let there = normalize_derivative(&l, &x, 700).expect("λ > 0");
                 assert_eq!((at_zero.clone() - &there).known_sign(), Some(Sign::Positive));
             }
         }
@@ -126,7 +126,7 @@ mod cu_365 {
     proptest! {
         #[test]
         fn at_rational_curvatures_it_is_the_map(l in slope(), x in small()) {
-            let [a, b] = [value(&l, &x), normalized_curvature(&l, &Surd::from(x), 200).expect("λ > 0")];
+            let [a, b] = [value(&l, &x), normalized_curvature(&l, &Surd::from(x), 700).expect("λ > 0")];
             // Both enclose one number, to 190 bits.
             let width = a.clone() - &b;
             let hair = enclosed(&Rational::from((1, isoracle::number::Integer::from(1) << 190)));
@@ -144,7 +144,7 @@ mod cu_365 {
         let [k1, k2] = level.principal().exact().expect("one field");
         let gaussian = Surd::from(level.gaussian.clone());
         for (k, side) in [(k1, Sign::Positive), (k2, Sign::Negative), (gaussian, Sign::Negative)] {
-            let colour = normalized_curvature(&l, &k, 200).expect("λ > 0");
+            let colour = normalized_curvature(&l, &k, 700).expect("λ > 0");
             assert_eq!((colour.clone() - &enclosed(&q(1, 2))).known_sign(), Some(side));
             assert_eq!(colour.known_sign(), Some(Sign::Positive));
             assert_eq!((Interval::integer(1) - &colour).known_sign(), Some(Sign::Positive));
