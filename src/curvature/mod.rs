@@ -9,6 +9,12 @@
 //! Everything here is computed from [`Jet`](jet::Jet)s, exactly. What is irrational leaves as a number of ℚ(√d), as a rational
 //! square with a sign, or as an enclosure.
 
+pub mod arc_length;
+pub mod area;
+pub mod crossing;
+pub mod curve_printed;
+pub mod frame;
+pub mod graph;
 pub mod implicit_curve;
 pub mod implicit_surface;
 pub mod jet;
@@ -16,3 +22,7 @@ pub mod normalize;
 pub mod parametric_curve;
 pub mod parametric_surface;
 pub mod principal;
+pub mod quadrature;
+pub mod rational_curve;
+pub mod series;
+pub mod trigonometric;

@@ -1,5 +1,7 @@
 //! Intervals of MPFR numbers, rounded outward: they enclose the exact result of every operation.
 
+mod elementary;
+
 use super::decimal::{DecimalEnclosure, Digits};
 use super::{Enclosure, Integer, Rational, Ring, Sign};
 use rug::Float;

@@ -1,6 +1,7 @@
 //! Curvature: each entry of spec/curvature.md against a second derivation.
 
 mod ground;
+mod quadrature;
 
 use isoracle::number::Rational;
 
