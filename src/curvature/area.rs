@@ -29,6 +29,16 @@ impl RationalSurface {
         if denominator.is_zero() { Err(ZeroDenominator) } else { Ok(RationalSurface { numerators, denominator }) }
     }
 
+    /// p₁, p₂, p₃.
+    pub fn numerators(&self) -> &[Function; 3] {
+        &self.numerators
+    }
+
+    /// q.
+    pub fn denominator(&self) -> &Function {
+        &self.denominator
+    }
+
     /// q²·∂σ/∂u and q²·∂σ/∂v: p_u q − p q_u and so on.
     pub fn tangent_numerators(&self) -> [Vector<Function, 3>; 2] {
         let q = &self.denominator;

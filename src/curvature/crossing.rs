@@ -42,10 +42,12 @@ pub fn resultant(a: &[Polynomial], b: &[Polynomial]) -> Polynomial {
         let other = if a.is_empty() { b } else { a };
         return if let [constant] = other { constant.clone() } else { Polynomial::new(Vec::new()) };
     };
-    // Sylvester's matrix
+    // Sylvester's matrix: the leading coefficients first.
     let row = |p: &[Polynomial], shift: usize| {
         let mut row = vec![Polynomial::new(Vec::new()); m + n];
-        row[shift..shift + p.len()].clone_from_slice(p);
+        for (entry, coefficient) in row[shift..].iter_mut().zip(p.iter().rev()) {
+            *entry = coefficient.clone();
+        }
         row
     };
     determinant((0..n).map(|i| row(a, i)).chain((0..m).map(|i| row(b, i))).collect())

@@ -1,7 +1,10 @@
 //! What 002 prints of curves where that is wrong, as printed: to be compared with what is right.
 
+use super::area::RationalSurface;
 use super::implicit_curve::SingularPoint;
 use super::jet::Jet;
+use super::quadrature::{Goal, Integral, QuadratureError};
+use super::rational_curve::RationalCurve;
 use crate::number::{Rational, Surd};
 
 /// The printed κ of (5), −(f_xx f_x² − 2f_xy f_x f_y + f_yy f_y²)/|∇f|³: f_x² and f_y² have changed places. CU-144.
@@ -54,4 +57,23 @@ pub fn circle_arc_length(t: &Rational) -> Rational {
 /// The curvature that the text reads from an osculating circle, "o inverso do raio", as its square: 1/R². The sign is not in it. CU-132.
 pub fn inverse_radius_squared_printed(radius_squared: &Rational) -> Rational {
     Rational::from(radius_squared.recip_ref())
+}
+
+/// The printed length of a curve on a surface, s(t) = ∫₀ᵗ ‖α′(t)‖ dt: from 0, whether or not the curve is defined there. CU-149.
+///
+/// # Errors
+/// As [`RationalSurface::path_length`]: `Pole` where the path has one between 0 and t.
+pub fn path_length_printed(
+    surface: &RationalSurface,
+    path: &RationalCurve<2>,
+    t: &Rational,
+    goal: &Goal,
+) -> Result<Integral, QuadratureError> {
+    surface.path_length(path, [&Rational::new(), t], goal)
+}
+
+/// The printed domain [0, 2π] of α(t) = c + r(cos t/r, sin t/r) (example 2.11): the number of times it runs around the circle. It is 1 iff r = 1.
+/// CU-134.
+pub fn circle_turns_printed(r: &Rational) -> Rational {
+    Rational::from(r.recip_ref())
 }

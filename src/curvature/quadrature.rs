@@ -4,6 +4,9 @@ use super::series::{Series, multi_indices};
 use crate::number::{Integer, Interval, Rational, Ring};
 use thiserror::Error;
 
+/// How often a part of which nothing is known is halved before it is taken for one with a pole.
+const DEEPEST: u32 = 48;
+
 /// What is asked of an integral.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Goal {
@@ -25,7 +28,7 @@ impl Goal {
 pub enum Outcome {
     /// The interval's width is at most what was asked.
     Reached,
-    /// The number of parts was used up: the interval holds the integral, but is wider.
+    /// The number of parts was used up, or a part seems to have a pole: the interval holds the integral, if there is one, but is wider.
     Limit,
 }
 
@@ -105,6 +108,7 @@ pub fn integral<const D: usize, const N: usize>(
         let outcome = match value.width() {
             Some(width) if width <= goal.width => Outcome::Reached,
             Some(_) | None if cells.len() >= goal.cells => Outcome::Limit,
+            None if cells.iter().any(|cell| cell.width.is_none() && cell.depth >= DEEPEST) => Outcome::Limit,
             Some(_) | None => {
                 cells = halved(cells, goal, new);
                 continue;
@@ -114,7 +118,8 @@ pub fn integral<const D: usize, const N: usize>(
     }
 }
 
-/// The parts, with those halved that are wider than half of their share of the width; the widest ones where there is no room for all.
+/// The parts, with those halved of which nothing is known; where there are none, those that are wider than half of their share of
+/// the width. Only the widest ones where there is no room for all.
 fn halved<const D: usize>(
     mut cells: Vec<Cell<D>>,
     goal: &Goal,
@@ -123,7 +128,11 @@ fn halved<const D: usize>(
     let share = Rational::from(&goal.width / Integer::from(2 * cells.len()));
     // The widest first; an infinite width is the largest.
     cells.sort_by(|a, b| (b.width.is_none(), &b.width).cmp(&(a.width.is_none(), &a.width)));
-    let wide = cells.iter().take_while(|cell| cell.width.as_ref().is_none_or(|width| *width > share)).count();
+    let unknown = cells.iter().take_while(|cell| cell.width.is_none()).count();
+    let wide = match unknown {
+        0 => cells.iter().take_while(|cell| cell.width.as_ref().is_none_or(|width| *width > share)).count(),
+        _ => unknown,
+    };
     let room = (goal.cells.saturating_sub(cells.len()) >> D).max(1);
     // Rounding in the sum alone may have made it too wide: then halve the widest part, which is computed with more bits.
     let kept = cells.split_off(wide.clamp(1, room));

@@ -1,6 +1,11 @@
 //! Curvature: each entry of spec/curvature.md against a second derivation.
 
+mod areas;
+mod arcs;
+mod curves;
+mod frames;
 mod ground;
+mod level_curves;
 mod quadrature;
 
 use isoracle::number::Rational;

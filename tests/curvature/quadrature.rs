@@ -29,7 +29,7 @@ mod cu_155 {
 
     #[test]
     fn a_logarithm_an_arc_tangent_and_a_sine() {
-        let goal = Goal::digits(40);
+        let goal = Goal::digits(20);
         let domain = [(q(1, 1), q(7, 2))];
         let ln = integral(|[x]: &[Line; 1], _| x.inverse(), &domain, &goal).expect("well-posed");
         assert!(is_within(&ln, &goal, &Interval::from_rational(&q(7, 2), 200).ln().expect("positive")));
