@@ -20,6 +20,7 @@ const ORDER: usize = 14;
 #[doc(alias = "CU-113")]
 #[doc(alias = "CU-115")]
 #[doc(alias = "CU-119")]
+#[doc(alias = "CU-120")]
 pub fn arc_length<const D: usize>(
     curve: &RationalCurve<D>,
     [t0, t]: [&Rational; 2],

@@ -97,9 +97,10 @@ impl RationalSurface {
         domain: &[(Rational, Rational); 2],
         goal: &Goal,
     ) -> Result<Integral, QuadratureError> {
-        let w_squared = self.w_squared_numerator();
+        let tangents = self.tangent_numerators();
         let area = |at: &[Series<2, AREA_ORDER>; 2], precision: u32| {
-            self.over_power(at_series(&w_squared, at, precision).sqrt()?, 4, at, precision)
+            let [e, f, g] = first_form(&tangents, at, precision);
+            self.over_power((e * &g - &f.square()).sqrt()?, 4, at, precision)
         };
         integral(area, domain, goal)
     }
@@ -136,14 +137,14 @@ impl RationalSurface {
         if !path.is_defined_on(from, to) {
             return Err(QuadratureError::Pole);
         }
-        let form = self.first_form_numerators();
+        let tangents = self.tangent_numerators();
         let speed = |[t]: &[Series<1, ORDER>; 1], precision: u32| {
             let of = |p: &Polynomial| Series::of_polynomial(p, t, precision);
             let inverse = of(path.denominator()).inverse()?;
             let at = path.numerators().each_ref().map(|p| of(p) * &inverse);
             let square = inverse.square();
             let [du, dv] = path.velocity_numerators().map(|p| of(&p) * &square);
-            let [e, f, g] = form.each_ref().map(|p| at_series(p, &at, precision));
+            let [e, f, g] = first_form(&tangents, &at, precision);
             let mixed = f * &du * &dv;
             let squared = e * &du.square() + &mixed + &mixed + &(g * &dv.square());
             self.over_power(squared.sqrt()?, 2, &at, precision)
@@ -182,4 +183,15 @@ impl RationalSurface {
 
 fn at_series<const D: usize, const N: usize>(f: &Function, at: &[Series<D, N>; 2], precision: u32) -> Series<D, N> {
     f.evaluate_in(at, |a| Series::rational(a, precision))
+}
+
+/// E, F and G of these tangent vectors, squares as such.
+fn first_form<const D: usize, const N: usize>(
+    tangents: &[Vector<Function, 3>; 2],
+    at: &[Series<D, N>; 2],
+    precision: u32,
+) -> [Series<D, N>; 3] {
+    let [u, v] = tangents.each_ref().map(|w| w.map(|p| at_series(p, at, precision)));
+    let squared = |w: &Vector<Series<D, N>, 3>| w.0.iter().fold(Series::integer(0), |sum, x| sum + &x.square());
+    [squared(&u), u.dot(&v), squared(&v)]
 }

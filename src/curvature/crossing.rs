@@ -80,6 +80,7 @@ pub fn crossing_polynomial(curve: &RationalCurve<2>) -> Polynomial {
 /// The points that the curve passes more than once, over all real parameters but poles: with none, it is simple, so injective.
 /// CU-105, CU-160.
 #[doc(alias = "CU-105")]
+#[doc(alias = "CU-109")]
 pub fn crossings(curve: &RationalCurve<2>) -> Crossings {
     let common = crossing_polynomial(curve);
     let Some(roots) = real_roots(&common) else { return Crossings::CommonFactor };

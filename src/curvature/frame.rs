@@ -10,6 +10,7 @@ use thiserror::Error;
 
 /// J: by +90°. CU-122.
 #[doc(alias = "CU-122")]
+#[doc(alias = "CU-123")]
 pub fn quarter_turn(Vector([x, y]): &Vector<Rational, 2>) -> Vector<Rational, 2> {
     Vector([-y.clone(), x.clone()])
 }
@@ -65,6 +66,7 @@ impl Frame {
     /// κ = det(α′, α″)/|α′|³, in ℚ(√|α′|²). CU-137, CU-129.
     #[doc(alias = "CU-137")]
     #[doc(alias = "CU-138")]
+    #[doc(alias = "CU-125")]
     #[doc(alias = "CU-129")]
     pub fn kappa(&self) -> Surd {
         let w = self.speed_squared();

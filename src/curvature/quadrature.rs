@@ -191,11 +191,7 @@ fn over_cell<const D: usize, const N: usize>(
 
 /// Σ fₖ(0) ∫τᵏ over |k| < N, and Σ fₖ(ξ) τᵏ over |k| = N integrated, where ξ depends on τ: fₖ(ξ)·τᵏ lies between the bounds of fₖ times
 /// τᵏ where that is never negative, and within ± the largest |fₖ| times |τᵏ| elsewhere. All over −1 ≤ τᵢ ≤ 1.
-fn taylor<const D: usize, const N: usize>(
-    at_middle: &Series<D, N>,
-    around: &Series<D, N>,
-    precision: u32,
-) -> Interval {
+fn taylor<const D: usize, const N: usize>(at_middle: &Series<D, N>, around: &Series<D, N>, precision: u32) -> Interval {
     multi_indices::<D, N>().iter().fold(Interval::integer(0), |sum, k| {
         let is_even = k.iter().all(|n| n % 2 == 0);
         // ∫ |τᵏ|

@@ -44,6 +44,9 @@ pub enum Closing<const D: usize> {
 
 /// Where a curve is not regular. CU-159.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[doc(alias = "CU-101")]
+#[doc(alias = "CU-107")]
+#[doc(alias = "CU-111")]
 #[doc(alias = "CU-159")]
 pub enum SingularParameters {
     /// At these parameters, in increasing order; nowhere if there are none.
@@ -148,7 +151,8 @@ impl<const D: usize> RationalCurve<D> {
                 let n = self.denominator.degree().expect("q is not 0");
                 let q = self.denominator.coefficients().last().expect("q is not 0");
                 let is_bounded = self.numerators.iter().all(|p| p.degree().is_none_or(|m| m <= n));
-                let leading = |p: &Polynomial| p.coefficients().get(n).map_or_else(Rational::new, |a| Rational::from(a / q));
+                let leading =
+                    |p: &Polynomial| p.coefficients().get(n).map_or_else(Rational::new, |a| Rational::from(a / q));
                 is_bounded.then(|| Vector(self.numerators.each_ref().map(leading)))
             }
         }

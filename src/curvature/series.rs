@@ -153,9 +153,8 @@ impl<const D: usize, const N: usize> Series<D, N> {
         let mut known = vec![first];
         for n in &all[1..] {
             let parts = all[1..].iter().filter_map(|k| Some((k, minus(n, k)?)));
-            let sum = parts.fold(Interval::integer(0), |sum, (k, rest)| {
-                sum + &term(self, &known, k, &known[index(&rest)])
-            });
+            let sum =
+                parts.fold(Interval::integer(0), |sum, (k, rest)| sum + &term(self, &known, k, &known[index(&rest)]));
             known.push(next(sum, n));
         }
         Series { coefficients: known }

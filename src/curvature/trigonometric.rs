@@ -10,6 +10,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// So an identity here is one for all t.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[doc(alias = "CU-110")]
+#[doc(alias = "CU-139")]
 pub struct Trigonometric<const N: usize>(Multivariate<N>);
 
 impl<const N: usize> Trigonometric<N> {

@@ -122,7 +122,12 @@ mod cu_113 {
         // Σ 1/((k + 1/2)π), which passes every bound.
         let swings = |n: i64| {
             let sum = (0..n).fold(Rational::new(), |sum, k| sum + q(2, 2 * k + 1));
-            Interval::from_rational(&sum, 100).checked_div(&Interval::pi(100)).expect("π > 0").bounds().expect("finite").0
+            Interval::from_rational(&sum, 100)
+                .checked_div(&Interval::pi(100))
+                .expect("π > 0")
+                .bounds()
+                .expect("finite")
+                .0
         };
         assert!(swings(200) > swings(20) + q(2, 3) && swings(2000) > swings(200) + q(2, 3));
     }
@@ -133,7 +138,10 @@ mod cu_114 {
 
     #[test]
     fn at_unit_speed_the_length_is_the_time() {
-        let line = RationalCurve::polynomial([Polynomial::new(vec![q(7, 1), q(3, 5)]), Polynomial::new(vec![q(0, 1), q(-4, 5)])]);
+        let line = RationalCurve::polynomial([
+            Polynomial::new(vec![q(7, 1), q(3, 5)]),
+            Polynomial::new(vec![q(0, 1), q(-4, 5)]),
+        ]);
         assert_eq!(polynomial_speed(&line), Some(p(&[1])));
         let t0 = q(-2, 3);
         assert_eq!(antiderivative(&p(&[1]), &t0), Polynomial::with_root(&t0));
@@ -147,7 +155,8 @@ mod cu_115 {
 
     #[test]
     fn two_base_points_differ_by_a_constant_and_two_directions_by_the_sign() {
-        let length = |curve: &RationalCurve<2>, t0: &Rational| antiderivative(&polynomial_speed(curve).expect("a square"), t0);
+        let length =
+            |curve: &RationalCurve<2>, t0: &Rational| antiderivative(&polynomial_speed(curve).expect("a square"), t0);
         let (one, other) = (length(&pythagorean(), &q(0, 1)), length(&pythagorean(), &q(3, 2)));
         assert!((one - &other).degree() == Some(0));
         // The other way along the line (t, 0): from s to −s.

@@ -2,7 +2,9 @@
 
 use super::q;
 use isoracle::curvature::crossing::{Crossings, crossing_polynomial, crossings, share_a_point};
-use isoracle::curvature::rational_curve::{Closing, End, Period, RationalCurve, SingularParameters, agreeing_derivatives};
+use isoracle::curvature::rational_curve::{
+    Closing, End, Period, RationalCurve, SingularParameters, agreeing_derivatives,
+};
 use isoracle::curvature::trigonometric::{Trigonometric, least_period};
 use isoracle::linear::Vector;
 use isoracle::number::{Algebraic, Polynomial, Rational, Ring};
@@ -192,7 +194,9 @@ mod cu_105 {
 
     #[test]
     fn simple_curves_have_no_crossings() {
-        for simple in [cusp(), rational_circle(), curve(&[0, 1], &[0, 0, 0, 1]), curve(&[0, 1], &[]), curve(&[], &[2, 5])] {
+        for simple in
+            [cusp(), rational_circle(), curve(&[0, 1], &[0, 0, 0, 1]), curve(&[0, 1], &[]), curve(&[], &[2, 5])]
+        {
             assert_eq!(crossings(&simple), Crossings::At(Vec::new()), "{simple:?}");
         }
         assert_eq!(crossings(&curve(&[0, 0, 1], &[1])), Crossings::CommonFactor);
@@ -394,7 +398,8 @@ mod cu_160 {
         let Crossings::At(groups) = crossings(&curve(&[0, -2, 0, 1], &[0, 0, 1])) else { panic!("no common factor") };
         assert_eq!(groups.len(), 1);
         assert_eq!(groups[0], isoracle::number::real_roots(&p(&[-2, 0, 1])).expect("not 0"));
-        let near = RationalCurve::polynomial([p(&[0, -2, 0, 1]), Polynomial::new(vec![q(0, 1), q(1, 1_000_000), q(1, 1)])]);
+        let near =
+            RationalCurve::polynomial([p(&[0, -2, 0, 1]), Polynomial::new(vec![q(0, 1), q(1, 1_000_000), q(1, 1)])]);
         let Crossings::At(groups) = crossings(&near) else { panic!("no common factor") };
         assert_eq!(groups.iter().map(Vec::len).collect::<Vec<_>>(), [2]);
         assert!(groups[0].iter().all(|t| t.rational().is_none()));

@@ -2,7 +2,9 @@
 
 use super::curves::{curve, p, parameter, polynomial_curve, rational_circle, rational_curve};
 use super::q;
-use isoracle::curvature::curve_printed::{circle_arc_length_printed, circle_turns_printed, inverse_radius_squared_printed};
+use isoracle::curvature::curve_printed::{
+    circle_arc_length_printed, circle_turns_printed, inverse_radius_squared_printed,
+};
 use isoracle::curvature::frame::{Frame, OsculationError, contact, osculating_circle, quarter_turn, tangent_contact};
 use isoracle::curvature::rational_curve::RationalCurve;
 use isoracle::curvature::trigonometric::Trigonometric;
@@ -162,7 +164,10 @@ mod cu_128 {
     fn at_another_speed_it_is_not() {
         // (2t, 4t²) at 0: det = 16, κ = 2.
         let fast = curve(&[0, 2], &[0, 0, 4]);
-        assert_eq!((regular(&fast, 0).acceleration_across(), regular(&fast, 0).kappa()), (q(16, 1), Surd::from(q(2, 1))));
+        assert_eq!(
+            (regular(&fast, 0).acceleration_across(), regular(&fast, 0).kappa()),
+            (q(16, 1), Surd::from(q(2, 1)))
+        );
     }
 }
 
@@ -205,7 +210,10 @@ mod cu_130 {
         assert_eq!([-1, 0, 1].map(|t| regular(&cubic, t).kappa().sign()), [Sign::Negative, Sign::Zero, Sign::Positive]);
         assert_eq!(tangent_contact(&cubic, &q(0, 1)), Ok(Some(3)));
         let quartic = curve(&[0, 1], &[0, 0, 0, 0, 1]);
-        assert_eq!([-1, 0, 1].map(|t| regular(&quartic, t).kappa().sign()), [Sign::Positive, Sign::Zero, Sign::Positive]);
+        assert_eq!(
+            [-1, 0, 1].map(|t| regular(&quartic, t).kappa().sign()),
+            [Sign::Positive, Sign::Zero, Sign::Positive]
+        );
         assert_eq!(tangent_contact(&quartic, &q(0, 1)), Ok(Some(4)));
         assert_eq!(tangent_contact(&curve(&[0, 1], &[5, 2]), &q(0, 1)), Ok(None));
         assert!(tangent_contact(&curve(&[0, 0, 1], &[0, 0, 0, 1]), &q(0, 1)).is_err());
@@ -231,10 +239,14 @@ mod cu_131 {
         assert_eq!(osculating_circle(&cubic, &q(0, 1)), Err(OsculationError::Flat));
         let pole = RationalCurve::new([p(&[1]), p(&[1, 1])], p(&[0, 1])).expect("a denominator");
         assert!(matches!(osculating_circle(&pole, &q(0, 1)), Err(OsculationError::Curve(_))));
-        assert!(matches!(osculating_circle(&curve(&[0, 0, 1], &[0, 0, 0, 1]), &q(0, 1)), Err(OsculationError::Curve(_))));
+        assert!(matches!(
+            osculating_circle(&curve(&[0, 0, 1], &[0, 0, 0, 1]), &q(0, 1)),
+            Err(OsculationError::Curve(_))
+        ));
         // Circles that touch y = x³ at 0 leave it at the second order, whatever their radius: the larger the closer.
         for r in [1, 10, 1000] {
-            let circle = isoracle::curvature::frame::Circle { centre: Vector([q(0, 1), q(r, 1)]), radius_squared: q(r * r, 1) };
+            let circle =
+                isoracle::curvature::frame::Circle { centre: Vector([q(0, 1), q(r, 1)]), radius_squared: q(r * r, 1) };
             assert_eq!(contact(&cubic, &circle, &q(0, 1)), Some(2));
         }
     }
@@ -286,7 +298,9 @@ mod cu_133 {
 
     #[test]
     fn of_circles_run_clockwise_the_larger_has_the_larger_curvature() {
-        let clockwise = |r: i64| rational_circle().reversed().moved(&Matrix([[q(r, 1), q(0, 1)], [q(0, 1), q(r, 1)]]), &Vector::zero());
+        let clockwise = |r: i64| {
+            rational_circle().reversed().moved(&Matrix([[q(r, 1), q(0, 1)], [q(0, 1), q(r, 1)]]), &Vector::zero())
+        };
         let [small, large] = [1, 2].map(|r| regular(&clockwise(r), 0).kappa());
         assert!(large > small);
         let [small, large] = [1, 2].map(|r| regular(&clockwise(r).reversed(), 0).kappa());

@@ -1,7 +1,7 @@
 //! Curvature: each entry of spec/curvature.md against a second derivation.
 
-mod areas;
 mod arcs;
+mod areas;
 mod curves;
 mod frames;
 mod ground;

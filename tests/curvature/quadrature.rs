@@ -37,7 +37,8 @@ mod cu_155 {
         let atan = integral(lorentz, &[(q(-3, 1), q(5, 1))], &goal).expect("well-posed");
         let number = |n: i64| Interval::from_rational(&q(n, 1), 200);
         assert!(is_within(&atan, &goal, &(number(5).atan() - &number(-3).atan())));
-        let sine = integral(|[x]: &[Line; 1], _| Some(x.sin_cos().0), &[(q(0, 1), q(4, 1))], &goal).expect("well-posed");
+        let sine =
+            integral(|[x]: &[Line; 1], _| Some(x.sin_cos().0), &[(q(0, 1), q(4, 1))], &goal).expect("well-posed");
         assert!(is_within(&sine, &goal, &(Interval::integer(1) - &number(4).cos())));
     }
 

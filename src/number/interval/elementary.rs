@@ -1,6 +1,6 @@
 //! Elementary functions of intervals, and the sets that quadrature makes of them.
 
-use super::{Interval, clamped, hull_of_corners, rounded};
+use super::{Interval, clamped, rounded};
 use crate::number::Ring;
 use rug::Float;
 use rug::float::Round;
@@ -19,10 +19,7 @@ impl Interval {
 
     /// Around every x² with x in the interval: never below 0, unlike the product of the interval with itself.
     pub fn square(&self) -> Interval {
-        let product = hull_of_corners(self, self, |p, x, y, round| {
-            // An infinite bound stands for numbers as large as you like, all finite.
-            if x.is_zero() || y.is_zero() { Float::new(p) } else { rounded(p, x * y, round) }
-        });
+        let product = self.clone() * self;
         match self.sign_of_bounds() {
             (Ordering::Less, Ordering::Greater) => Interval { lo: Float::new(self.precision()), ..product },
             _ => product,
