@@ -215,7 +215,7 @@ mod cu_157 {
         #[test]
         fn boxes_hold_their_points(f in bivariate(), x in number(), y in number(), u in 0..=8_i64, v in 0..=8_i64) {
             let positive = |x: [Small; 2]| (f.evaluate_in(&x, |c| Small::rational(c, 100)).square() + &Small::integer(2)).sqrt();
-            let range = |x: &Rational| Interval::between(x, &Rational::from(x + q(1, 8)), 100).expect("in order");
+            let range = |x: &Rational| Interval::between(x, &(x + q(1, 8)), 100).expect("in order");
             let one = [Interval::integer(1), Interval::integer(1)];
             let around = positive(Small::variables(&[range(&x), range(&y)], &one)).expect("positive");
             let inside = positive(variables(&[x + q(u, 64), y + q(v, 64)])).expect("positive");
