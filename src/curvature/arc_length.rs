@@ -4,7 +4,7 @@ use super::crossing::square_root;
 use super::quadrature::{Goal, Integral, QuadratureError, integral};
 use super::rational_curve::RationalCurve;
 use super::series::Series;
-use super::trigonometric::Trigonometric;
+use super::circle_polynomial::CirclePolynomial;
 use crate::number::{Algebraic, Integer, Interval, Polynomial, Rational, Ring, real_roots};
 
 /// The order of the series for integrals over an interval.
@@ -48,11 +48,11 @@ pub fn arc_length<const D: usize>(
 /// # Errors
 /// `Reversed` iff from > to; `Width` iff the width is ≤ 0.
 pub fn length_of_turns(
-    curve: &[Trigonometric<2>; 2],
+    curve: &[CirclePolynomial<2>; 2],
     [from, to]: [&Rational; 2],
     goal: &Goal,
 ) -> Result<Integral, QuadratureError> {
-    let velocity = curve.each_ref().map(Trigonometric::derivative);
+    let velocity = curve.each_ref().map(CirclePolynomial::derivative);
     let speed = |[turn]: &[Series<1, ORDER>; 1], precision: u32| {
         let constant = |a: &Rational| Series::rational(a, precision);
         let full = Series::constant(Interval::pi(precision)) * &Series::integer(2);

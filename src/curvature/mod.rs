@@ -25,4 +25,4 @@ pub mod principal;
 pub mod quadrature;
 pub mod rational_curve;
 pub mod series;
-pub mod trigonometric;
+pub mod circle_polynomial;

@@ -8,7 +8,7 @@ use isoracle::curvature::arc_length::{
 };
 use isoracle::curvature::quadrature::{Goal, Outcome, QuadratureError};
 use isoracle::curvature::rational_curve::{RationalCurve, SingularParameters};
-use isoracle::curvature::trigonometric::Trigonometric;
+use isoracle::curvature::circle_polynomial::CirclePolynomial;
 use isoracle::linear::{Matrix, Vector};
 use isoracle::number::{Algebraic, Interval, Polynomial, Rational, Ring};
 use proptest::prelude::*;
@@ -175,11 +175,11 @@ mod cu_116 {
 
     #[test]
     fn the_tangent_of_a_circle_is_perpendicular_to_its_radius() {
-        let [c, s, r] = Trigonometric::<3>::variables();
+        let [c, s, r] = CirclePolynomial::<3>::variables();
         let circle = [c * &r, s * &r];
-        let velocity = circle.each_ref().map(Trigonometric::derivative);
-        let dot = |a: &[Trigonometric<3>; 2], b: &[Trigonometric<3>; 2]| a[0].clone() * &b[0] + &(a[1].clone() * &b[1]);
-        assert_eq!(dot(&circle, &velocity), Trigonometric::integer(0));
+        let velocity = circle.each_ref().map(CirclePolynomial::derivative);
+        let dot = |a: &[CirclePolynomial<3>; 2], b: &[CirclePolynomial<3>; 2]| a[0].clone() * &b[0] + &(a[1].clone() * &b[1]);
+        assert_eq!(dot(&circle, &velocity), CirclePolynomial::integer(0));
         assert_eq!(dot(&velocity, &velocity), r.clone() * &r);
         assert_eq!(velocity, [-circle[1].clone(), circle[0].clone()]);
     }
@@ -187,9 +187,9 @@ mod cu_116 {
     #[test]
     fn its_length_is_two_pi_r() {
         let goal = Goal::digits(12);
-        let [c, s] = Trigonometric::<2>::variables();
+        let [c, s] = CirclePolynomial::<2>::variables();
         for r in [1, 7] {
-            let radius = Trigonometric::integer(r);
+            let radius = CirclePolynomial::integer(r);
             let circle = [c.clone() * &radius, s.clone() * &radius];
             let turn = length_of_turns(&circle, [&q(0, 1), &q(1, 1)], &goal).expect("well-posed");
             assert!(is_within(&turn, &goal, &(Interval::pi(200) * &number(2 * r))));

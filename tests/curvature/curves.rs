@@ -5,7 +5,7 @@ use isoracle::curvature::crossing::{Crossings, crossing_polynomial, crossings, s
 use isoracle::curvature::rational_curve::{
     Closing, End, Period, RationalCurve, SingularParameters, agreeing_derivatives,
 };
-use isoracle::curvature::trigonometric::{Trigonometric, least_period};
+use isoracle::curvature::circle_polynomial::{CirclePolynomial, least_period};
 use isoracle::linear::Vector;
 use isoracle::number::{Algebraic, Polynomial, Rational, Ring};
 use proptest::prelude::*;
@@ -152,7 +152,7 @@ mod cu_104 {
     #[test]
     fn a_constant_curve_is_periodic_and_has_no_least_period() {
         assert_eq!(curve(&[3], &[-1]).period(), Period::EveryNumber);
-        let one = Trigonometric::<2>::integer(1);
+        let one = CirclePolynomial::<2>::integer(1);
         assert_eq!(least_period(&[one.clone(), one], &q(1, 1)), Period::EveryNumber);
         assert_eq!(cusp().period(), Period::None);
         assert_eq!(rational_circle().period(), Period::None);
@@ -160,12 +160,12 @@ mod cu_104 {
 
     #[test]
     fn the_least_period_comes_from_the_harmonics() {
-        let [c, s] = Trigonometric::<2>::variables();
+        let [c, s] = CirclePolynomial::<2>::variables();
         let double = [c.clone() * &c, s.clone() * &c];
         assert_eq!(least_period(&double, &q(1, 1)), Period::Turns(q(1, 2)));
         // cos 2t and cos 3t: 1 turn. 4c³ − 3c = cos 3t alone: a third.
         let cube = c.clone() * &c * &c;
-        let triple = cube.clone() * &Trigonometric::integer(4) - &(c.clone() * &Trigonometric::integer(3));
+        let triple = cube.clone() * &CirclePolynomial::integer(4) - &(c.clone() * &CirclePolynomial::integer(3));
         assert_eq!(triple.harmonics(), [3]);
         assert_eq!(least_period(&[double[0].clone(), triple.clone()], &q(1, 1)), Period::Turns(q(1, 1)));
         assert_eq!(least_period(&[triple.clone(), triple], &q(-2, 5)), Period::Turns(q(5, 6)));
@@ -180,11 +180,11 @@ mod cu_104 {
             use isoracle::number::Multivariate;
             let signed = |sign: i64| {
                 let terms = terms.iter().map(|(e, a)| (*e, Rational::from(if (e[0] + e[1]) % 2 == 1 { a * sign } else { *a })));
-                Trigonometric::<2>::new(&Multivariate::new(terms))
+                CirclePolynomial::<2>::new(&Multivariate::new(terms))
             };
             let harmonics = signed(1).harmonics();
             prop_assert_eq!(signed(1) == signed(-1), harmonics.iter().all(|k| k % 2 == 0));
-            prop_assert_eq!(signed(1).derivative() == Trigonometric::integer(0), harmonics.iter().all(|k| *k == 0));
+            prop_assert_eq!(signed(1).derivative() == CirclePolynomial::integer(0), harmonics.iter().all(|k| *k == 0));
         }
     }
 }
@@ -313,7 +313,7 @@ mod cu_110 {
 
     #[test]
     fn the_circle_over_two_turns_is_closed_but_its_domain_has_no_period() {
-        let [c, s] = Trigonometric::<2>::variables();
+        let [c, s] = CirclePolynomial::<2>::variables();
         let point = |quarters: i64| [&c, &s].map(|f| f.at_quarter_turns(quarters, &[]));
         assert_eq!(point(2), [q(-1, 1), q(0, 1)]);
         assert_eq!(point(2), point(6));
@@ -329,11 +329,11 @@ mod cu_110 {
         fn equal_trigonometric_functions_are_equal_polynomials(m in parameter(), terms in prop::collection::vec(([0..=3_u32, 0..=3_u32], -3..=3_i64), 0..5)) {
             use isoracle::number::Multivariate;
             let f = Multivariate::<2>::new(terms.iter().map(|(e, a)| (*e, Rational::from(*a))));
-            let [c, s] = Trigonometric::<2>::variables();
-            let one = Trigonometric::<2>::integer(1);
+            let [c, s] = CirclePolynomial::<2>::variables();
+            let one = CirclePolynomial::<2>::integer(1);
             prop_assert_eq!(c.clone() * &c + &(s.clone() * &s), one);
             let at = [c, s].map(|x| x.at_slope(&m, &[]));
-            prop_assert_eq!(Trigonometric::new(&f).at_slope(&m, &[]), f.evaluate(&at));
+            prop_assert_eq!(CirclePolynomial::new(&f).at_slope(&m, &[]), f.evaluate(&at));
         }
     }
 }

@@ -7,7 +7,7 @@ use isoracle::curvature::curve_printed::{
 };
 use isoracle::curvature::frame::{Frame, OsculationError, contact, osculating_circle, quarter_turn, tangent_contact};
 use isoracle::curvature::rational_curve::RationalCurve;
-use isoracle::curvature::trigonometric::Trigonometric;
+use isoracle::curvature::circle_polynomial::CirclePolynomial;
 use isoracle::linear::{Matrix, Vector, determinant2};
 use isoracle::number::{OrderedField, Rational, Ring, Sign, Surd};
 use proptest::prelude::*;
@@ -313,11 +313,11 @@ mod cu_133 {
 mod cu_134 {
     use super::*;
     use isoracle::curvature::rational_curve::Period;
-    use isoracle::curvature::trigonometric::least_period;
+    use isoracle::curvature::circle_polynomial::least_period;
 
     #[test]
     fn the_printed_domain_is_one_turn_for_r_1_only() {
-        let circle = Trigonometric::<2>::variables();
+        let circle = CirclePolynomial::<2>::variables();
         for (r, turns) in [(q(1, 1), q(1, 1)), (q(2, 1), q(1, 2)), (q(1, 3), q(3, 1))] {
             // The period in t is r turns of 2π.
             assert_eq!(least_period(&circle, &r.clone().recip()), Period::Turns(r.clone()));
@@ -340,14 +340,14 @@ mod cu_135 {
     #[test]
     fn the_curve_has_unit_speed_already() {
         // α′ = r·(1/r)(−sin, cos): with w = 1/r for a constant, rw = 1.
-        let [c, s, w] = Trigonometric::<3>::variables();
-        let speed = |r: &Trigonometric<3>| {
+        let [c, s, w] = CirclePolynomial::<3>::variables();
+        let speed = |r: &CirclePolynomial<3>| {
             let v = [c.clone() * r, s.clone() * r].map(|x| x.derivative() * &w);
             v[0].clone() * &v[0] + &(v[1].clone() * &v[1])
         };
-        let r = Trigonometric::integer(5);
+        let r = CirclePolynomial::integer(5);
         // (rw)², which is 1 for w = 1/r.
-        assert_eq!(speed(&r), Trigonometric::integer(25) * &w * &w);
+        assert_eq!(speed(&r), CirclePolynomial::integer(25) * &w * &w);
         assert_eq!(speed(&r).at_slope(&q(1, 7), &[q(1, 5)]), q(1, 1));
         assert_eq!(circle_arc_length(&q(3, 1)), q(3, 1));
         assert_eq!(circle_arc_length_printed(&q(5, 1), &q(3, 1)), q(15, 1));
@@ -356,8 +356,8 @@ mod cu_135 {
     #[test]
     fn its_length_is_t_and_not_rt() {
         // r = 2: from t = 0 to π the angle runs a quarter, of the length π; printed 2π.
-        let [c, s] = Trigonometric::<2>::variables();
-        let two = Trigonometric::integer(2);
+        let [c, s] = CirclePolynomial::<2>::variables();
+        let two = CirclePolynomial::integer(2);
         let goal = Goal::digits(9);
         let arc = length_of_turns(&[c * &two, s * &two], [&q(0, 1), &q(1, 4)], &goal).expect("well-posed");
         let pi = Interval::pi(100);
@@ -371,7 +371,7 @@ mod cu_136 {
     #[test]
     fn by_its_length_a_circle_has_the_printed_frame_and_curvature() {
         // d/ds of functions of s/r is w·d/dθ, w = 1/r; β = c + r(cos, sin), and rw = 1 is put in by hand.
-        let [c, s, w] = Trigonometric::<3>::variables();
+        let [c, s, w] = CirclePolynomial::<3>::variables();
         let t = [-s.clone(), c.clone()];
         let dt = t.each_ref().map(|x| x.derivative() * &w);
         assert_eq!(dt, [-(c.clone() * &w), -(s.clone() * &w)]);
@@ -444,14 +444,14 @@ mod cu_139 {
 
     #[test]
     fn the_ellipse_for_all_t_a_and_b() {
-        let [c, s, a, b] = Trigonometric::<4>::variables();
+        let [c, s, a, b] = CirclePolynomial::<4>::variables();
         let [x1, y1] = [c.clone() * &a, s.clone() * &b].map(|f| f.derivative());
-        let [x2, y2] = [&x1, &y1].map(Trigonometric::derivative);
+        let [x2, y2] = [&x1, &y1].map(CirclePolynomial::derivative);
         assert_eq!(x1.clone() * &y2 - &(x2 * &y1), a.clone() * &b);
         let speed = a.clone() * &a * &s * &s + &(b.clone() * &b * &c * &c);
         assert_eq!(x1.clone() * &x1 + &(y1.clone() * &y1), speed);
         // a = 3, b = −2: clockwise, κ = −6/(…)^(3/2) < 0; at t = 0: −6/8.
-        let at = |f: &Trigonometric<4>| f.at_quarter_turns(0, &[q(3, 1), q(-2, 1)]);
+        let at = |f: &CirclePolynomial<4>| f.at_quarter_turns(0, &[q(3, 1), q(-2, 1)]);
         assert_eq!((at(&(a * &b)), at(&speed)), (q(-6, 1), q(4, 1)));
     }
 
@@ -482,8 +482,8 @@ mod cu_139 {
         }
         let truth = (Interval::pi(200) * &number(2) * &sum).checked_div(&a).expect("positive");
         // The terms left out are less than 10⁻⁵⁰.
-        let [c, s] = Trigonometric::<2>::variables();
-        let ellipse = [c * &Trigonometric::integer(3), s * &Trigonometric::integer(2)];
+        let [c, s] = CirclePolynomial::<2>::variables();
+        let ellipse = [c * &CirclePolynomial::integer(3), s * &CirclePolynomial::integer(2)];
         let goal = Goal::digits(12);
         assert!(is_within(&length_of_turns(&ellipse, [&q(0, 1), &q(1, 1)], &goal).expect("well-posed"), &goal, &truth));
         assert!(truth.width().expect("finite") < q(1, 1_000_000_000_000_000));

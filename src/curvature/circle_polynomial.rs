@@ -1,4 +1,4 @@
-//! Trigonometric polynomials, exactly: the ring ℚ[c, s, …]/(c² + s² − 1) with c′ = −s, s′ = c.
+//! CirclePolynomial polynomials, exactly: the ring ℚ[c, s, …]/(c² + s² − 1) with c′ = −s, s′ = c.
 
 use super::rational_curve::Period;
 use crate::number::{Multivariate, Polynomial, Rational, Ring};
@@ -11,11 +11,11 @@ use std::ops::{Add, Mul, Neg, Sub};
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[doc(alias = "CU-110")]
 #[doc(alias = "CU-139")]
-pub struct Trigonometric<const N: usize>(Multivariate<N>);
+pub struct CirclePolynomial<const N: usize>(Multivariate<N>);
 
-impl<const N: usize> Trigonometric<N> {
+impl<const N: usize> CirclePolynomial<N> {
     /// The function of a polynomial in cos t, sin t and the constants.
-    pub fn new(f: &Multivariate<N>) -> Trigonometric<N> {
+    pub fn new(f: &Multivariate<N>) -> CirclePolynomial<N> {
         let s = Multivariate::<N>::variable(1);
         let c_squared = Multivariate::<N>::integer(1) - &(s.clone() * &s);
         let reduced = f.terms().map(|(mut exponents, coefficient)| {
@@ -23,12 +23,12 @@ impl<const N: usize> Trigonometric<N> {
             exponents[0] %= 2;
             (0..pairs).fold(Multivariate::new([(exponents, coefficient.clone())]), |f, _| f * &c_squared)
         });
-        Trigonometric(reduced.fold(Multivariate::integer(0), |sum, term| sum + &term))
+        CirclePolynomial(reduced.fold(Multivariate::integer(0), |sum, term| sum + &term))
     }
 
     /// cos t, sin t, and the constants.
-    pub fn variables() -> [Trigonometric<N>; N] {
-        std::array::from_fn(|axis| Trigonometric(Multivariate::variable(axis)))
+    pub fn variables() -> [CirclePolynomial<N>; N] {
+        std::array::from_fn(|axis| CirclePolynomial(Multivariate::variable(axis)))
     }
 
     /// In normal form.
@@ -38,9 +38,9 @@ impl<const N: usize> Trigonometric<N> {
 
     /// d/dt: −s·∂f/∂c + c·∂f/∂s. CU-116.
     #[doc(alias = "CU-116")]
-    pub fn derivative(&self) -> Trigonometric<N> {
+    pub fn derivative(&self) -> CirclePolynomial<N> {
         let (c, s) = (Multivariate::<N>::variable(0), Multivariate::<N>::variable(1));
-        Trigonometric::new(&(self.0.derivative(1) * &c - &(self.0.derivative(0) * &s)))
+        CirclePolynomial::new(&(self.0.derivative(1) * &c - &(self.0.derivative(0) * &s)))
     }
 
     /// The value at (cos t, sin t) = ((1 − m²)/(1 + m²), 2m/(1 + m²)), the constants given.
@@ -69,7 +69,7 @@ impl<const N: usize> Trigonometric<N> {
     }
 }
 
-impl Trigonometric<2> {
+impl CirclePolynomial<2> {
     /// The k ≥ 0 for which cos kt or sin kt is in the Fourier series. CU-134.
     #[doc(alias = "CU-134")]
     pub fn harmonics(&self) -> Vec<usize> {
@@ -96,7 +96,7 @@ impl Trigonometric<2> {
 
 /// The least ρ > 0 with α(t + ρ) = α(t) for all t, α being these functions of ωt: 2π/(|ω|g), g the greatest common divisor of the
 /// harmonics. CU-104, CU-134.
-pub fn least_period(curve: &[Trigonometric<2>; 2], frequency: &Rational) -> Period {
+pub fn least_period(curve: &[CirclePolynomial<2>; 2], frequency: &Rational) -> Period {
     let gcd = |a: usize, b: usize| {
         let (mut a, mut b) = (a, b);
         while b > 0 {
@@ -104,41 +104,41 @@ pub fn least_period(curve: &[Trigonometric<2>; 2], frequency: &Rational) -> Peri
         }
         a
     };
-    let g = curve.iter().flat_map(Trigonometric::harmonics).fold(0, gcd);
+    let g = curve.iter().flat_map(CirclePolynomial::harmonics).fold(0, gcd);
     let turns = Rational::from(frequency.abs_ref()) * g as u64;
     if turns.is_zero() { Period::EveryNumber } else { Period::Turns(turns.recip()) }
 }
 
-impl<const N: usize> Add<&Trigonometric<N>> for Trigonometric<N> {
-    type Output = Trigonometric<N>;
-    fn add(self, other: &Trigonometric<N>) -> Trigonometric<N> {
-        Trigonometric(self.0 + &other.0)
+impl<const N: usize> Add<&CirclePolynomial<N>> for CirclePolynomial<N> {
+    type Output = CirclePolynomial<N>;
+    fn add(self, other: &CirclePolynomial<N>) -> CirclePolynomial<N> {
+        CirclePolynomial(self.0 + &other.0)
     }
 }
 
-impl<const N: usize> Sub<&Trigonometric<N>> for Trigonometric<N> {
-    type Output = Trigonometric<N>;
-    fn sub(self, other: &Trigonometric<N>) -> Trigonometric<N> {
-        Trigonometric(self.0 - &other.0)
+impl<const N: usize> Sub<&CirclePolynomial<N>> for CirclePolynomial<N> {
+    type Output = CirclePolynomial<N>;
+    fn sub(self, other: &CirclePolynomial<N>) -> CirclePolynomial<N> {
+        CirclePolynomial(self.0 - &other.0)
     }
 }
 
-impl<const N: usize> Mul<&Trigonometric<N>> for Trigonometric<N> {
-    type Output = Trigonometric<N>;
-    fn mul(self, other: &Trigonometric<N>) -> Trigonometric<N> {
-        Trigonometric::new(&(self.0 * &other.0))
+impl<const N: usize> Mul<&CirclePolynomial<N>> for CirclePolynomial<N> {
+    type Output = CirclePolynomial<N>;
+    fn mul(self, other: &CirclePolynomial<N>) -> CirclePolynomial<N> {
+        CirclePolynomial::new(&(self.0 * &other.0))
     }
 }
 
-impl<const N: usize> Neg for Trigonometric<N> {
-    type Output = Trigonometric<N>;
-    fn neg(self) -> Trigonometric<N> {
-        Trigonometric(-self.0)
+impl<const N: usize> Neg for CirclePolynomial<N> {
+    type Output = CirclePolynomial<N>;
+    fn neg(self) -> CirclePolynomial<N> {
+        CirclePolynomial(-self.0)
     }
 }
 
-impl<const N: usize> Ring for Trigonometric<N> {
-    fn integer(n: i64) -> Trigonometric<N> {
-        Trigonometric(Multivariate::integer(n))
+impl<const N: usize> Ring for CirclePolynomial<N> {
+    fn integer(n: i64) -> CirclePolynomial<N> {
+        CirclePolynomial(Multivariate::integer(n))
     }
 }
