@@ -1,5 +1,7 @@
 //! Intervals of MPFR numbers, rounded outward: they enclose the exact result of every operation.
 
+mod elementary;
+
 use super::decimal::{DecimalEnclosure, Digits};
 use super::{Enclosure, Integer, Rational, Ring, Sign};
 use rug::Float;
@@ -167,11 +169,31 @@ impl Sub<&Interval> for Interval {
 impl Mul<&Interval> for Interval {
     type Output = Interval;
     fn mul(self, other: &Interval) -> Interval {
-        hull_of_corners(&self, other, |p, x, y, round| {
-            // An infinite bound stands for numbers as large as you like, all finite: times 0 they are 0.
-            if x.is_zero() || y.is_zero() { Float::new(p) } else { rounded(p, x * y, round) }
-        })
+        let p = self.precision().max(other.precision());
+        let is_negative = |x: &Float| x.cmp0() == Some(Ordering::Less);
+        let is_positive = |x: &Float| x.cmp0() == Some(Ordering::Greater);
+        // Where one factor has one sign, that of the other's bound tells the corner.
+        match (self, other) {
+            (x, y) if !is_negative(&y.lo) => times_positive(p, &x, y),
+            (x, y) if !is_negative(&x.lo) => times_positive(p, y, &x),
+            (x, y) if !is_positive(&y.hi) => -times_positive(p, &x, &-y.clone()),
+            (x, y) if !is_positive(&x.hi) => -times_positive(p, y, &-x),
+            (x, y) => hull_of_corners(&x, y, times),
+        }
     }
+}
+
+/// An infinite bound stands for numbers as large as you like, all finite: times 0 they are 0.
+fn times(p: u32, x: &Float, y: &Float, round: Round) -> Float {
+    if x.is_zero() || y.is_zero() { Float::new(p) } else { rounded(p, x * y, round) }
+}
+
+/// x·y, where y is nowhere negative.
+fn times_positive(p: u32, x: &Interval, y: &Interval) -> Interval {
+    let is_negative = |x: &Float| x.cmp0() == Some(Ordering::Less);
+    let lo = times(p, &x.lo, if is_negative(&x.lo) { &y.hi } else { &y.lo }, Round::Down);
+    let hi = times(p, &x.hi, if is_negative(&x.hi) { &y.lo } else { &y.hi }, Round::Up);
+    Interval { lo, hi }
 }
 
 impl Neg for Interval {

@@ -1,5 +1,9 @@
 //! Curvature: each entry of spec/curvature.md against a second derivation.
 
+mod arcs;
+mod areas;
+mod curves;
+mod frames;
 mod ground;
 mod implicit_curvature;
 mod implicit_function;
@@ -24,6 +28,8 @@ mod surface_samples;
 mod surface_tangents;
 mod surface_topology;
 mod surface_weingarten;
+mod level_curves;
+mod quadrature;
 
 use isoracle::number::Rational;
 

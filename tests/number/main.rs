@@ -1,5 +1,6 @@
 //! The numbers: each claim of spec/numbers.md against a second derivation.
 
+mod elementary;
 mod filter;
 mod interval;
 mod perturbed;
