@@ -118,8 +118,9 @@ impl Sub<&Dual> for Dual {
 impl Mul<&Dual> for Dual {
     type Output = Dual;
     fn mul(self, other: &Dual) -> Dual {
-        let slope = |i: usize| self.slopes[i] * &other.value + &(other.slopes[i] * &self.value);
-        Dual { value: self.value * &other.value, slopes: [slope(0), slope(1)] }
+        let left = self.composed(self.value * &other.value, other.value);
+        let right = other.composed(left.value, self.value);
+        Dual { slopes: left.entrywise(&right, |a, b| a + b).slopes, ..left }
     }
 }
 

@@ -10,7 +10,7 @@ pub mod coherence;
 pub mod coherence_counterexamples;
 pub mod convergence;
 mod enclosure;
-mod half_plane;
+pub mod half_plane;
 pub mod impulse;
 pub mod normal_count;
 pub mod prefilter;
