@@ -220,7 +220,7 @@ mod sp_410 {
             // Within 2h² of z.
             for (m, value) in signal.values().iter().enumerate() {
                 let z = Rational::from((m / (n + 1) / (n + 1), n));
-                assert!(Rational::from(value - z).abs() <= Rational::from((2, n * n)));
+                assert!((value - z).abs() <= Rational::from((2, n * n)));
             }
             let spline = interpolate(&signal);
             for at in [[2, 2, 2], [1, 2, 2], [1, 3, 2]] {
@@ -249,7 +249,7 @@ mod sp_411 {
             for m in 0..volume.len() {
                 // 4n times within 2h of z − 1/2.
                 let plane = Rational::from(4 * volume.point(m)[2]) - 2 * n as i32;
-                assert!(Rational::from(volume.sample(m) - plane).abs() <= 8);
+                assert!((volume.sample(m) - plane).abs() <= 8);
             }
             let level = Level { volume: &volume, isovalue: q(0, 1), tie: Tie::Degenerate };
             let found = topology(&level).expect("no ties");
