@@ -149,12 +149,12 @@ impl CellForm {
     pub fn derivatives(&self) -> [[[F64Interval; 4]; 4]; 4] {
         let mut table = [[[F64Interval::integer(0); 4]; 4]; 4];
         let mut x = (self.coefficients, [4; 3]);
-        for i in 0..4 {
+        for (i, table) in table.iter_mut().enumerate() {
             let mut xy = x;
-            for j in 0..4 - i {
+            for (j, table) in table[..4 - i].iter_mut().enumerate() {
                 let mut xyz = xy;
-                for k in 0..4 - i - j {
-                    table[i][j][k] = hull(places(xyz.1).map(|place| xyz.0[place])) * &factor([i, j, k]);
+                for (k, entry) in table[..4 - i - j].iter_mut().enumerate() {
+                    *entry = hull(places(xyz.1).map(|place| xyz.0[place])) * &factor([i, j, k]);
                     difference(&mut xyz.0, &mut xyz.1, 2);
                 }
                 difference(&mut xy.0, &mut xy.1, 1);

@@ -114,7 +114,8 @@ fn outward(x: &Interval) -> String {
         let (whole, rest) = n.abs().div_rem(Integer::from(1000));
         format!("{sign}{whole}.{:03}", rest.to_u32().expect("below 1000"))
     };
-    let [lo, hi] = [Rational::from(lo * 1000).floor(), Rational::from(hi * 1000).ceil()]
+    let thousand = Rational::from(1000);
+    let [lo, hi] = [Rational::from(&lo * &thousand).floor(), Rational::from(&hi * &thousand).ceil()]
         .map(|x| thousandths(x.into_numer_denom().0));
     format!("[{lo}, {hi}]")
 }

@@ -108,7 +108,7 @@ pub fn order_in_hundredths(coarse: &Rational, fine: &Rational) -> Option<i64> {
 }
 
 /// ⌊log₂ x⌋, x > 0, from the lengths of numerator and denominator.
-fn floor_of_logarithm(x: Rational) -> i64 {
+pub fn floor_of_logarithm(x: Rational) -> i64 {
     let length = |n: &Integer| i64::from(n.significant_bits());
     let estimate = length(x.numer()) - length(x.denom());
     // The estimate is ⌊log₂⌋ or one more.

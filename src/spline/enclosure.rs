@@ -78,6 +78,12 @@ impl Dual {
         Dual { value: combine(self.value, &other.value), slopes }
     }
 
+    /// Leibniz' rule.
+    fn product(self, other: &Dual) -> Dual {
+        let slope = |i: usize| self.slopes[i] * &other.value + &(other.slopes[i] * &self.value);
+        Dual { value: self.value * &other.value, slopes: [slope(0), slope(1)] }
+    }
+
     /// φ(a) with φ′(a).
     fn composed(self, value: F64Interval, first: F64Interval) -> Dual {
         Dual { value, slopes: self.slopes.map(|slope| slope * &first) }
@@ -118,8 +124,7 @@ impl Sub<&Dual> for Dual {
 impl Mul<&Dual> for Dual {
     type Output = Dual;
     fn mul(self, other: &Dual) -> Dual {
-        let slope = |i: usize| self.slopes[i] * &other.value + &(other.slopes[i] * &self.value);
-        Dual { value: self.value * &other.value, slopes: [slope(0), slope(1)] }
+        self.product(other)
     }
 }
 

@@ -7,7 +7,7 @@ use crate::number::{F64Interval, Ring};
 ///
 /// f is a linear function l plus a remainder; l has the coefficients l(i/3, j/3), so the remainder lies in the hull of the differences, [e, E].
 /// So {l < −E} ⊂ {f < 0} ⊂ {l < −e}, and the strip between has the width of the remainder, which is of second order.
-pub(super) fn share(b: &[F64Interval; 16]) -> F64Interval {
+pub fn share(b: &[F64Interval; 16]) -> F64Interval {
     let middle = |x: F64Interval| f64::midpoint(x.lo(), x.hi());
     let [low, right, up, far] = [b[0], b[3], b[12], b[15]].map(middle);
     // Any slopes will do; these are those of the corners.

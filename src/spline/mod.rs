@@ -12,7 +12,7 @@ pub mod coherence_counterexamples;
 pub mod convergence;
 pub mod degree_one;
 mod enclosure;
-mod half_plane;
+pub mod half_plane;
 pub mod impulse;
 pub mod infinite;
 pub mod inverse;

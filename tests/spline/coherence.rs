@@ -9,6 +9,7 @@ use isoracle::number::{Enclosure, F64Interval, Interval, Multivariate, Rational,
 use isoracle::spline::cell_form::EnclosedSpline;
 use isoracle::spline::coherence::{self, CoherenceError, coherence, mesh_sum, of_spline, of_trilinear};
 use isoracle::spline::coherence_counterexamples::{quarter_turns_of_cut_surface_printed, quarter_turns_printed};
+use isoracle::spline::half_plane::share;
 use isoracle::spline::normal_count::{Direction, FlatDirection, normal_points, quarter_turns, quarter_turns_by};
 use isoracle::spline::prefilter::interpolate;
 use isoracle::spline::signal::{Boundary, Signal};
@@ -104,9 +105,15 @@ mod sp_402 {
             let found = of_spline(&spline(&volume, Boundary::Mirror), &isovalue).expect("regular");
             assert_eq!((found.chi, found.edge_crossings, found.quarter_turns()), (1, 3, 1));
         }
-        let quadrature = by_quadrature(&spline(&volume, Boundary::Mirror), &q(9, 2), shallow(3)).expect("regular");
-        let (lo, hi) = (quadrature.integral.lo(), quadrature.integral.hi());
-        assert!(lo < 1.5708 && 1.5707 < hi && hi - lo < 5.0, "[{lo}, {hi}]");
+        let bounds = [2, 3, 4, 5].map(|depth| {
+            let found = by_quadrature(&spline(&volume, Boundary::Mirror), &q(9, 2), shallow(depth)).expect("regular");
+            let (lo, hi) = (found.integral.lo(), found.integral.hi());
+            let quarter = std::f64::consts::FRAC_PI_2;
+            assert!(lo < quarter && quarter < hi, "[{lo}, {hi}]");
+            (lo, hi)
+        });
+        assert!(bounds.windows(2).all(|pair| pair[0].1 - pair[0].0 > 1.8 * (pair[1].1 - pair[1].0)), "{bounds:?}");
+        assert!(bounds[3].0 > 1.0 && bounds[3].1 < 2.6, "{bounds:?}");
     }
 
     #[test]
@@ -260,6 +267,74 @@ mod sp_405 {
         assert!(widths[2] < 70.0, "{widths:?}");
     }
 
+    /// A sheet within one layer of cells: every column is whole, so that only the bound of the mean is at stake.
+    #[test]
+    fn a_wavy_sheet_across_the_box_has_none_in_all() {
+        let bumps = [0, 1, -1, 2, 2, -1, 0, 1, -2, 1, 2, 0, 1, 0, -1, -2];
+        for rise in [16, -16] {
+            let values = (0..64).map(|m| q(rise * (2 * (m / 16) - 3) + bumps[m as usize % 16], 1)).collect();
+            let sheet = spline(&Volume::rationals([4; 3], values).expect("64 samples"), Boundary::Mirror);
+            assert_eq!(quarter_turns(&sheet, &q(0, 1)), Ok(0));
+            let widths = [0, 1, 2, 3].map(|depth| {
+                let found = by_quadrature(&sheet, &q(0, 1), shallow(depth)).expect("regular");
+                let (lo, hi) = (found.integral.lo(), found.integral.hi());
+                assert_eq!(found.columns, 9 << (2 * depth));
+                assert!(lo < 0.0 && 0.0 < hi, "[{lo}, {hi}]");
+                hi - lo
+            });
+            // Of second order.
+            assert!(widths.windows(2).all(|pair| pair[0] > 3.0 * pair[1]), "{widths:?}");
+        }
+    }
+
+    /// {f < 0} of f = a + bx + cy + …: Bernstein coefficients at (i/3, j/3).
+    fn bicubic(b: impl Fn(i64, i64) -> Rational) -> [F64Interval; 16] {
+        std::array::from_fn(|m| F64Interval::from_rational(&b(m as i64 % 4, m as i64 / 4)))
+    }
+
+    proptest! {
+        /// Against Σ ± max(0, t − corner)²/(2ab), the sum over the corners of the square.
+        #[test]
+        fn shares_of_half_planes_are_exact(
+            a in prop_oneof![-9..=-1_i64, 1..=9_i64], b in prop_oneof![-9..=-1_i64, 1..=9_i64], t in -20..=20_i64,
+        ) {
+            let found = share(&bicubic(|i, j| q(a * i + b * j, 3) - t));
+            let corner = |x: i64, y: i64| {
+                let rest = (t - a * x - b * y).max(0);
+                if (x + y) % 2 == 0 { rest * rest } else { -rest * rest }
+            };
+            // Exact: the printed sum is for any signs of a and b, the sign of ab included.
+            let area = q(corner(0, 0) + corner(1, 0) + corner(0, 1) + corner(1, 1), 2 * a * b);
+            let middle = Rational::from_f64(f64::midpoint(found.lo(), found.hi())).expect("finite");
+            prop_assert!(Rational::from(&middle - &area).abs() < q(1, 1_000_000_000), "{found:?} {area}");
+            prop_assert!(found.hi() - found.lo() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn shares_of_parabolas_are_enclosed() {
+        // x² − r², Bernstein coefficients 0, 0, 1/3, 1 less r²: the share is r. x(1 − x) − 3/16: two strips of 1/4.
+        for r in 1..8 {
+            for turned in [false, true] {
+                let square = |i: i64| [q(0, 1), q(0, 1), q(1, 3), q(1, 1)][i as usize].clone() - q(r * r, 64);
+                let found = share(&bicubic(|i, j| square(if turned { j } else { i })));
+                let exact = r as f64 / 8.0;
+                assert!(
+                    found.lo() <= exact && exact <= found.hi() && 0.0 <= found.lo() && found.hi() <= 1.0,
+                    "{found:?}"
+                );
+            }
+        }
+        let found = share(&bicubic(|i, _| [q(0, 1), q(1, 3), q(1, 3), q(0, 1)][i as usize].clone() - q(3, 16)));
+        assert!(found.lo() <= 0.5 && 0.5 <= found.hi());
+        // The strip is as wide as the remainder, 1/h against a slope of 1 + 1/h.
+        let bent = |h: i64| {
+            share(&bicubic(|i, _| q(i, 3) - q(1, 2) + [q(0, 1), q(0, 1), q(1, 3), q(1, 1)][i as usize].clone() / h))
+        };
+        let width = |x: F64Interval| x.hi() - x.lo();
+        assert!(width(bent(8)) < 0.34 * width(bent(2)));
+    }
+
     #[test]
     fn planes_have_none_and_no_surface_none() {
         let values = (0..27).map(|m| q([-2, 3, 5][m % 3], 1)).collect();
@@ -337,13 +412,21 @@ mod sp_406 {
         let bytes = include_bytes!("../../data/mni152_crop.nrrd");
         let head = nrrd::read(&bytes[..], &Limits::default()).expect("the crate's own file");
         let head = Volume::try_from(head).expect("a volume");
-        let sizes: &[usize] = if is_long() { &[6, 12, 18, 24] } else { &[6] };
+        let crop = head.crop([24; 3], [29; 3]).expect("within the volume");
+        if let Ok(found) = coherence(&level(&crop, q(127, 2)), Boundary::Mirror, shallow(0)) {
+            let exact = std::f64::consts::FRAC_PI_2 * found.spline.quarter_turns() as f64;
+            let integral = found.quadrature.integral;
+            assert!(integral.lo() <= exact + 1e-9 && exact - 1e-9 <= integral.hi(), "{found}");
+        }
+        let sizes: &[usize] = if is_long() { &[6, 12, 18, 24] } else { &[] };
         let mut text = String::new();
         for n in sizes {
             let crop = head.crop([24, 24, 24], [23 + n; 3]).expect("within the volume");
             text += &row("MNI", &crop, q(127, 2), Boundary::Mirror, 1);
         }
-        snapshot(if is_long() { "sp_406__scan_long" } else { "sp_406__scan" }, &text);
+        if is_long() {
+            snapshot("sp_406__scan_long", &text);
+        }
     }
 }
 

@@ -8,7 +8,9 @@ use isoracle::isosurface::topology::topology;
 use isoracle::isosurface::volume::{Level, Volume};
 use isoracle::number::{Multivariate, Rational, Trivariate};
 use isoracle::spline::coherence_counterexamples::{rippled, speckled, touching};
-use isoracle::spline::convergence::{Errors, enclosed_order_in_hundredths, errors, order_in_hundredths, spline_jet};
+use isoracle::spline::convergence::{
+    Errors, enclosed_order_in_hundredths, errors, floor_of_logarithm, order_in_hundredths, spline_jet,
+};
 use isoracle::spline::prefilter::interpolate;
 use isoracle::spline::signal::{Boundary, Signal};
 use isoracle::spline::specimen::Specimen;
@@ -100,6 +102,8 @@ mod sp_409 {
         assert_eq!([order(16, 1), order(1, 16), order(1, 1)], [Some(400), Some(-400), Some(0)]);
         // log₂ 3 = 1.5849…, log₂ (1/3) = −1.5849…, log₂ (5/3) = 0.7369…
         assert_eq!([order(3, 1), order(1, 3), order(5, 3)], [Some(158), Some(-159), Some(73)]);
+        let floors = [(1, 3), (3, 4), (1, 1), (5, 3), (7, 2), (9, 2), (1, 8)].map(|(n, d)| floor_of_logarithm(q(n, d)));
+        assert_eq!(floors, [-2, -1, 0, 0, 1, 2, -3]);
         assert_eq!([order(0, 1), order(1, 0), order(-1, 1)], [None; 3]);
     }
 
@@ -216,7 +220,7 @@ mod sp_410 {
             // Within 2h² of z.
             for (m, value) in signal.values().iter().enumerate() {
                 let z = Rational::from((m / (n + 1) / (n + 1), n));
-                assert!(Rational::from(value - z).abs() <= Rational::from((2, n * n)));
+                assert!((value - z).abs() <= Rational::from((2, n * n)));
             }
             let spline = interpolate(&signal);
             for at in [[2, 2, 2], [1, 2, 2], [1, 3, 2]] {
@@ -245,7 +249,7 @@ mod sp_411 {
             for m in 0..volume.len() {
                 // 4n times within 2h of z − 1/2.
                 let plane = Rational::from(4 * volume.point(m)[2]) - 2 * n as i32;
-                assert!(Rational::from(volume.sample(m) - plane).abs() <= 8);
+                assert!((volume.sample(m) - plane).abs() <= 8);
             }
             let level = Level { volume: &volume, isovalue: q(0, 1), tie: Tie::Degenerate };
             let found = topology(&level).expect("no ties");
