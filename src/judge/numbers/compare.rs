@@ -1,7 +1,8 @@
 //! A candidate's answer beside the true one, number by number. What it leaves out is not judged, and named.
 //!
 //! A plain JSON number is measured, and wrong where it is farther off, normwise, than the candidate may be. An exact number (a string,
-//! or a + b√d) has to be the true one. An enclosure has to hold the true one, and its ends count as plain numbers. Signs are exact.
+//! or a + b√d) has to be the true one. An enclosure has to hold the true one, and to be as narrow as the
+//! protocol asks, or its ends count as plain numbers. Signs are exact.
 //! M, the size that normwise errors are relative to, is the largest number of the same list: of a gradient, a Hessian, of E, F, G, of
 //! the two principal curvatures, and of K, H² and H² − K, which are of one degree. But the values and derivatives of a spline are
 //! relative to its largest coefficient, and f(p) of a polynomial f to its largest term at p: what they are sums of.
@@ -14,7 +15,8 @@ use crate::curvature::principal::Principal;
 use crate::judge::accuracy::{Measured, short_units};
 use crate::judge::fault::{Comparison, Fault};
 use crate::number::text::parse;
-use crate::number::{Rational, Sign, Surd};
+use crate::number::{Integer, Rational, Sign, Surd};
+use rug::ops::Pow;
 use serde_json::Value;
 
 /// Fields whose numbers are one list, each with the name of its fault.
@@ -95,7 +97,8 @@ pub fn whole(operation: &str) -> &'static str {
 /// The faults of an answer, the weightiest first, the fields that it leaves out, and the errors of its plain numbers.
 pub fn compare(operation: &str, input: &Value, truth: &Value, found: &Value, most: MaxError) -> Comparison {
     let formula = whole(operation);
-    let mut comparing = Comparing { comparison: Comparison::default(), said: 0, most, formula };
+    let digits = input.get("digits").and_then(|digits| value::digits(digits).ok()).unwrap_or_default().count();
+    let mut comparing = Comparing { comparison: Comparison::default(), said: 0, most, digits, formula };
     let scale = scale::of(operation, input);
     let scale = scale.as_ref();
     match operation {
@@ -127,6 +130,8 @@ struct Comparing {
     comparison: Comparison,
     said: usize,
     most: MaxError,
+    /// How many digits the question wants of an enclosure.
+    digits: u32,
     formula: &'static str,
 }
 
@@ -231,30 +236,42 @@ impl Comparing {
 
     fn number(&mut self, Part { name, truth, found, fault }: &Part, unit: Unit, formula: &'static str) {
         let expected = truth.to_string();
-        let mut wrong = |message: String| {
-            self.comparison.faults.push(Fault::new(fault, formula, name, &expected, &message));
-        };
-        match Said::read(found) {
-            None => self.comparison.faults.push(Fault::new("no-number", formula, name, &expected, &found.to_string())),
-            Some(Said::Exact(x)) if Real::Surd(x.clone()) == *truth => {}
-            Some(Said::Exact(_)) => wrong(format!("{found}, as an exact number")),
+        let wrong = match Said::read(found) {
+            None => {
+                let fault = Fault::new("no-number", formula, name, &expected, &found.to_string());
+                return self.comparison.faults.push(fault);
+            }
+            Some(Said::Exact(x)) => (Real::Surd(x) != *truth).then(|| format!("{found}, as an exact number")),
             Some(Said::Between(lo, hi)) => {
+                let is_far = |end: &Rational| !self.most.allows(end, truth, unit);
                 if truth.cmp_rational(&lo).is_lt() || truth.cmp_rational(&hi).is_gt() {
-                    wrong(format!("{found}, where it is not"));
-                } else if [lo, hi].iter().any(|end| !self.most.allows(end, truth, unit)) {
-                    wrong(format!("{found}, which is too wide"));
+                    Some(format!("{found}, where it is not"))
+                } else if !self.is_narrow(&lo, &hi) && (is_far(&lo) || is_far(&hi)) {
+                    Some(format!("{found}, which is too wide"))
+                } else {
+                    None
                 }
             }
             Some(Said::Plain(x)) => {
                 let (componentwise, normwise) = (magnitude(&x, truth, Unit::LastPlace), magnitude(&x, truth, unit));
-                if !self.most.allows(&x, truth, unit) {
-                    let [ulp, units] = [componentwise, normwise].map(|error| short_units(error.units));
-                    wrong(format!("{found}, {ulp} ulp off; normwise {units}"));
-                }
-                let (field, found) = (name.clone(), found.to_string());
-                self.comparison.measured.push(Measured { field, expected, found, componentwise, normwise });
+                let [ulp, units] = [componentwise, normwise].map(|error| short_units(error.units));
+                let (field, expected) = (name.clone(), expected.clone());
+                let measured = Measured { field, expected, found: found.to_string(), componentwise, normwise };
+                self.comparison.measured.push(measured);
+                let is_wrong = !self.most.allows(&x, truth, unit);
+                is_wrong.then(|| format!("{found}, {ulp} ulp off; normwise {units}"))
             }
+        };
+        if let Some(found) = wrong {
+            self.comparison.faults.push(Fault::new(fault, formula, name, &expected, &found));
         }
+    }
+
+    /// Whether an enclosure is as narrow as the question wants the oracle's: hi − lo ≤ 10^−digits·max(1, |x|) for every x in it.
+    fn is_narrow(&self, lo: &Rational, hi: &Rational) -> bool {
+        let has_zero = *lo <= 0 && *hi >= 0;
+        let least = if has_zero { Rational::new() } else { lo.clone().abs().min(hi.clone().abs()) };
+        Rational::from(hi - lo) * Integer::from(10).pow(self.digits) <= least.max(Rational::from(1))
     }
 
     fn sign(&mut self, field: &str, place: &str, truth: &Value, found: Option<&Value>) {

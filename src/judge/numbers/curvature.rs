@@ -7,6 +7,7 @@
 use super::conditioning::is_well_conditioned;
 use super::question::{Question, any, eighth, integer, nonzero, power_of_two, terms, text, texts};
 use super::spline::signal;
+use crate::answer::value;
 use crate::curvature::jet::Jet;
 use crate::number::{Multivariate, Rational};
 use rand::Rng;
@@ -141,6 +142,28 @@ pub fn question(random: &mut ChaCha8Rng, row: &'static str, number: usize) -> Qu
         "singular" => singular(random, row, number),
         "broken" => broken(row, number),
         other => unreachable!("no row {other}"),
+    }
+}
+
+/// Whether a level set, its curvatures known, is what the name of its row says.
+pub fn is_of_row(row: &str, out: &Value) -> bool {
+    let number = |x: &Value| value::number(x).unwrap_or_default();
+    let real = |name: &str| number(&out[name]);
+    let short = || {
+        let gradient = out["gradient"].as_array().map_or(&[][..], Vec::as_slice);
+        gradient.iter().all(|x| number(x).abs() < power_of_two(-10))
+    };
+    match row {
+        "spheres" | "umbilics" => real("discriminant") == 0 && real("gaussian") > 0,
+        "cylinders" => real("gaussian") == 0 && real("mean_squared") > 0,
+        "planes" => real("gaussian") == 0 && real("mean_squared") == 0,
+        "saddles" => real("gaussian") < 0,
+        "fz-zero" => number(&out["gradient"][2]) == 0,
+        "circles" => real("kappa_squared") > 0,
+        "inflections" => real("kappa_squared") == 0,
+        "near-umbilics" => real("discriminant") * 1000_u32 < real("mean_squared"),
+        "near-singular" => out.get("gradient").is_none() || short(),
+        _ => true,
     }
 }
 
@@ -343,9 +366,10 @@ fn singular(random: &mut ChaCha8Rng, row: &'static str, number: usize) -> Questi
             surface_by(row, &[sum, square, one.clone()], &one, &[(); 2].map(|()| integer(random, 5)))
         }
         _ => {
-            // A constant signal has no gradient anywhere.
-            let mut input = signal(&[3, 3], &vec![integer(random, 9); 9], "mirror");
-            input["points"] = json!([["1", "1/2"]]);
+            // No gradient anywhere, and none that rounding could bring about.
+            let shape = [random.random_range(2..4), random.random_range(2..4)];
+            let mut input = signal(&shape, &vec![Rational::new(); shape[0] * shape[1]], "mirror");
+            input["points"] = json!([texts(&[eighth(random, 4), eighth(random, 4)])]);
             Question { row, operation: "curvature.spline", input }
         }
     }

@@ -2,6 +2,7 @@
 
 use super::Family;
 use super::conditioning::{each_number, is_well_conditioned};
+use super::curvature::is_of_row;
 use super::question::Question;
 use crate::number::Rational;
 use serde_json::{Value, json};
@@ -19,7 +20,8 @@ fn leaves(value: &Value) -> usize {
     }
 }
 
-/// Smaller questions of the same row, whose answers are of the same kind: one with an answer stays so, and well-conditioned if it was;
+/// Smaller questions of the same row, whose answers are of the same kind: one with an answer stays so, stays what its row's name
+/// says, and well-conditioned if it was;
 /// one that is degenerate stays degenerate. Ill-posed ones are as small as they are.
 pub fn smaller(question: &Question) -> impl Iterator<Item = Question> {
     let (most, kind) = (size(question), question.truth().map(drop));
@@ -29,7 +31,11 @@ pub fn smaller(question: &Question) -> impl Iterator<Item = Question> {
     let with = |input: Value, question: &Question| Question { input, ..question.clone() };
     let question = question.clone();
     inputs.into_iter().map(move |input| with(input, &question)).filter(move |smaller| {
-        size(smaller) < most && smaller.truth().map(drop) == kind && (!is_ordinary || is_well_conditioned(smaller))
+        let truth = smaller.truth();
+        size(smaller) < most
+            && truth.as_ref().map_or(true, |out| is_of_row(smaller.row, out))
+            && truth.map(drop) == kind
+            && (!is_ordinary || is_well_conditioned(smaller))
     })
 }
 

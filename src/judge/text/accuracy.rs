@@ -16,20 +16,12 @@ pub fn accuracy(all: &[Accuracy], ink: &Ink) -> String {
         bucket => format!("≤{}", short_bound(bucket)),
     };
     let columns: Vec<String> = COLUMNS.iter().map(|bucket| format!("{:>6}", bound(bucket))).collect();
-    let head = format!(
-        "{:28} {:>7} {:>6} {} {:>8}",
-        "plain numbers, how far off",
-        "numbers",
-        "≤½, %",
-        columns.join(" "),
-        "worst"
-    );
+    let head = format!("{:12} {:>7} {:>6} {} {:>8}", "how far off", "numbers", "≤½, %", columns.join(" "), "worst");
     let mut out = format!("\n{}\n", ink.faint(&head));
     for Accuracy { operation, componentwise, normwise } in all {
-        out += &line(operation, componentwise);
-        out += &line("  normwise", normwise);
+        out += &format!("{operation}\n{}{}", line("  ulp", componentwise), line("  normwise", normwise));
     }
-    out += &(ink.faint("In ulp of the true number; normwise, in 2^-52 of the largest of its list.") + "\n");
+    out += &(ink.faint("Of plain numbers; normwise, in units of 2^-52 of the largest of the same list.") + "\n");
     out
 }
 
@@ -42,5 +34,5 @@ fn line(name: &str, histogram: &Histogram) -> String {
     });
     let worst = histogram.worst.as_ref().map_or_else(String::new, |worst| short_units(worst.units));
     let share = histogram.share_correctly_rounded();
-    format!("{name:28} {:>7} {share:>6} {} {worst:>8}\n", histogram.numbers, columns.join(" "))
+    format!("{name:12} {:>7} {share:>6} {} {worst:>8}\n", histogram.numbers, columns.join(" "))
 }

@@ -1,0 +1,79 @@
+//! The text's formulas in binary64: right as corrected, and rejected as printed.
+
+use crate::{FAMILIES, Plain, faults_in, judged, names, suite};
+use isoracle::judge::numbers::builtin::Formulas;
+use isoracle::judge::numbers::{Family, Numbers};
+use isoracle::judge::report::Outcome;
+use serde_json::Value;
+use std::collections::BTreeSet;
+
+fn as_it_is(_: &str, _: &Value, out: Value) -> Value {
+    out
+}
+
+fn found(which: Formulas) -> BTreeSet<(&'static str, &'static str)> {
+    faults_in(&suite(Family::Curvature), &mut Plain(which, as_it_is))
+}
+
+#[test]
+fn the_corrected_formulas_pass() {
+    for family in FAMILIES {
+        let report = judged(family, &mut Plain(Formulas::Corrected, as_it_is));
+        assert_eq!(report.verdict, Outcome::Passed, "{:?}", report.failures.first());
+        assert!(report.left_out.is_empty(), "{:?}", report.left_out);
+    }
+}
+
+#[test]
+fn the_corrected_formulas_pass_whatever_the_seed() {
+    let seeds = if std::env::var_os("ISORACLE_LONG").is_some() { 100..140 } else { 100..102 };
+    for (family, seed) in FAMILIES.into_iter().flat_map(|family| seeds.clone().map(move |seed| (family, seed))) {
+        let suite = Numbers { seed, cases: 4, ..suite(family) };
+        let faults = faults_in(&suite, &mut Plain(Formulas::Corrected, as_it_is));
+        assert!(faults.is_empty(), "seed {seed}: {faults:?}");
+    }
+}
+
+#[test]
+fn the_printed_numerator_of_a_level_curve_is_rejected() {
+    let found = found(Formulas::PrintedKappa);
+    assert!(found.contains(&("cubic-curves", "wrong-curvature")) || found.contains(&("cubic-curves", "wrong-sign")));
+    assert!(found.iter().all(|(row, _)| !["spheres", "parametric-curves", "normalize"].contains(row)));
+}
+
+#[test]
+fn the_printed_sign_of_h_is_rejected() {
+    let found = found(Formulas::PrintedMean);
+    assert_eq!(names(&found), BTreeSet::from(["wrong-sign"]));
+    assert!(found.contains(&("spheres", "wrong-sign")) && found.contains(&("spline-3d", "wrong-sign")));
+    // H = 0 has no sign to be wrong.
+    assert!(!found.contains(&("planes", "wrong-sign")));
+}
+
+#[test]
+fn the_frobenius_norm_of_ph_is_rejected() {
+    let found = found(Formulas::PrintedFrobenius);
+    assert!(found.contains(&("cubic-surfaces", "wrong-principal")), "{found:?}");
+    assert!(found.contains(&("spline-3d", "wrong-principal")) || found.contains(&("spline-3d", "no-number")));
+    assert!(names(&found).is_subset(&BTreeSet::from(["wrong-principal", "no-number"])));
+}
+
+#[test]
+fn determinants_over_fz_are_rejected_where_fz_is_0() {
+    let found = found(Formulas::PrintedDeterminants);
+    assert!(found.contains(&("fz-zero", "no-number")) || found.contains(&("fz-zero", "wrong-gaussian")), "{found:?}");
+    // Elsewhere they are right: the cancellation of f_z² costs digits, not all of them.
+    assert!(!found.iter().any(|(row, _)| ["planes", "circles", "parametric-surfaces"].contains(row)));
+}
+
+#[test]
+fn every_printed_form_fails_the_suite_and_is_shown_by_a_small_question() {
+    for which in Formulas::ALL.into_iter().filter(|which| *which != Formulas::Corrected) {
+        let suite = Numbers { cases: 2, ..suite(Family::Curvature) };
+        let report = isoracle::judge::run::run(&mut Plain(which, as_it_is), &suite, |_, _| {}).expect("it says hello");
+        assert_eq!(report.verdict, Outcome::Wrong, "{}", which.name());
+        assert!(report.failures.iter().all(|failure| !failure.formula.is_empty() && !failure.differences.is_empty()));
+        let shortest = report.failures.iter().map(|failure| failure.question.json().len()).min();
+        assert!(shortest.is_some_and(|length| length < 160), "{}: {shortest:?}", which.name());
+    }
+}
