@@ -61,15 +61,19 @@ fn the_frobenius_norm_of_ph_is_rejected() {
 #[test]
 fn determinants_over_fz_are_rejected_where_fz_is_0() {
     let found = found(Formulas::PrintedDeterminants);
-    assert!(found.contains(&("fz-zero", "no-number")) || found.contains(&("fz-zero", "wrong-gaussian")), "{found:?}");
-    // Elsewhere they are right: the cancellation of f_z² costs digits, not all of them.
-    assert!(!found.iter().any(|(row, _)| ["planes", "circles", "parametric-surfaces"].contains(row)));
+    assert!(found.contains(&("fz-zero", "no-number")), "{found:?}");
+    // Cylinders too may have f_z = 0; elsewhere the determinants are right, but for digits that cancel.
+    let rows: BTreeSet<&str> = found.iter().map(|(row, _)| *row).collect();
+    assert!(
+        rows.is_disjoint(&BTreeSet::from(["planes", "umbilics", "spline-3d", "circles", "parametric-surfaces"])),
+        "{found:?}"
+    );
 }
 
 #[test]
 fn every_printed_form_fails_the_suite_and_is_shown_by_a_small_question() {
     for which in Formulas::ALL.into_iter().filter(|which| *which != Formulas::Corrected) {
-        let suite = Numbers { cases: 2, ..suite(Family::Curvature) };
+        let suite = Numbers { cases: 1, ..suite(Family::Curvature) };
         let report = isoracle::judge::run::run(&mut Plain(which, as_it_is), &suite, |_, _| {}).expect("it says hello");
         assert_eq!(report.verdict, Outcome::Wrong, "{}", which.name());
         assert!(report.failures.iter().all(|failure| !failure.formula.is_empty() && !failure.differences.is_empty()));

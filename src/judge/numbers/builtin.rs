@@ -17,11 +17,11 @@ pub enum Formulas {
     Corrected,
     /// κ of a level curve with the numerator of 002 (5).
     PrintedKappa,
-    /// H with the sign of 002 3(d), whose normal is −∇f/|∇f|.
+    /// H with the sign of the expanded form of 002 3(d), which is that of the normal −∇f/|∇f|.
     PrintedMean,
     /// k₁, k₂ from the Frobenius norm of P·Hess f (002, after (16)).
     PrintedFrobenius,
-    /// K and H from the determinants over f_z of 002 3(d), H with this chapter's sign.
+    /// K and H from the determinants over f_z of 002 3(d).
     PrintedDeterminants,
 }
 
@@ -105,10 +105,7 @@ impl Formulas {
     fn level_surface(self, jet: &Jet<3>, index: Option<usize>) -> Result<Value, Refusal> {
         let w = regular(&jet.gradient, index)?;
         let (k, h) = match self {
-            Formulas::PrintedDeterminants => {
-                let (k, h) = plain::printed_determinants(jet);
-                (k, -h)
-            }
+            Formulas::PrintedDeterminants => plain::printed_determinants(jet),
             Formulas::Corrected | Formulas::PrintedKappa | Formulas::PrintedMean | Formulas::PrintedFrobenius => {
                 (plain::gaussian(jet), -plain::mean_numerator(jet) / (2.0 * w * w.sqrt()))
             }

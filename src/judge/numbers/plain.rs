@@ -113,8 +113,8 @@ pub fn printed_frobenius(Jet { gradient: g, hessian: h, .. }: &Jet<3>) -> [f64; 
     [(trace + root) / 2.0, (trace - root) / 2.0]
 }
 
-/// K and H as 002 3(d) prints them, with determinants over f_z: K = (det A₁ det A₃ − det A₂²)/(f_z²|∇f|⁴), and H of the opposite normal.
-/// Where f_z = 0 they are no numbers.
+/// K and H as 002 3(d) prints them, with determinants over f_z: K = (det A₁ det A₃ − det A₂²)/(f_z²|∇f|⁴), and H of the normal +∇f/|∇f|,
+/// against the sign of the expanded form that follows it. Where f_z = 0 they are no numbers.
 pub fn printed_determinants(Jet { gradient: [fx, fy, fz], hessian: h, .. }: &Jet<3>) -> (f64, f64) {
     // The determinant of (a b p; c d fz; q fz 0).
     let bordered = |a: f64, b: f64, p: f64, c: f64, q: f64| {

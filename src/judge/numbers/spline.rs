@@ -172,7 +172,7 @@ fn broken(random: &mut ChaCha8Rng, row: &'static str, number: usize) -> Question
         ("spline.evaluate", "points", json!([["Infinity"]])),
         ("spline.evaluate", "derivatives", json!(["", "xxx"])),
         ("spline.evaluate", "derivatives", json!(["y"])),
-        ("spline.impulse", "k_to", json!(-1)),
+        ("spline.impulse", "k_to", json!(-2)),
     ];
     let (asked, field, value) = faults[number % faults.len()].clone();
     if asked == "spline.impulse" {
