@@ -191,7 +191,7 @@ fn sphere(centre: &[Rational; 3]) -> Multivariate<3> {
 
 /// A point with short coordinates that is not this one.
 fn elsewhere(random: &mut ChaCha8Rng, point: &[Rational; 3]) -> [Rational; 3] {
-    [Rational::from(&point[0] + nonzero(random, 9) / 8_u32), eighth(random, 4), eighth(random, 4)]
+    [&point[0] + nonzero(random, 9) / 8_u32, eighth(random, 4), eighth(random, 4)]
 }
 
 /// Every term up to that degree, half of them 0.
