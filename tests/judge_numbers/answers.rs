@@ -194,6 +194,25 @@ fn what_is_left_out_counts_for_the_size_of_the_list() {
 }
 
 #[test]
+fn sums_are_relative_to_what_they_are_sums_of() {
+    // The coefficients are ±3000, and the spline is 0 halfway.
+    let signal = json!({"shape": [3], "values": [1000, -1000, 1000], "boundary": "mirror", "points": [["1/2"]]});
+    let said = |x: f64| judge(Family::Spline, DEFAULT, "spline.evaluate", signal.clone(), json!({"values": [[x]]})).0;
+    assert_eq!([said(1e-10), said(-2e-9), said(4e-9)], [None, None, Some("wrong-values")]);
+    // 1 + 1000x − 1001y.
+    let line = json!({"polynomial": [["1", 0, 0], ["1000", 1, 0], ["-1001", 0, 1]], "point": ["1", "1"]});
+    let said =
+        |x: f64| judge(Family::Curvature, DEFAULT, "curvature.implicit_curve", line.clone(), json!({"value": x})).0;
+    assert_eq!([said(1e-10), said(8e-10), said(1e-9)], [None, None, Some("wrong-value")]);
+    // The largest of all coefficients is √3·8, at the sample 8, and not in the answer.
+    let impulse = json!({"samples": {"0": "1", "30": "8"}, "k_from": 0, "k_to": 0, "points": []});
+    let said =
+        |x: f64| judge(Family::Spline, DEFAULT, "spline.impulse", impulse.clone(), json!({"coefficients": [x]})).0;
+    let root = 3_f64.sqrt();
+    assert_eq!([said(root + 1e-11), said(root - 2e-11)], [None, Some("wrong-coefficients")]);
+}
+
+#[test]
 fn exact_numbers_are_exact_and_enclosures_enclose() {
     let third = 1.0 / 3.0;
     let root = |b: &str| json!({"principal": [{"a": "0", "b": b, "d": 3}, {"a": "0", "b": b, "d": 3}]});
@@ -207,6 +226,9 @@ fn exact_numbers_are_exact_and_enclosures_enclose() {
         (json!({"gaussian": {"lo": 0.333, "hi": 0.334}}), Some("wrong-gaussian")),
         (json!({"gaussian": {"lo": "0.33333333333333", "hi": "0.33333333333334"}}), None),
         (json!({"gaussian": {"lo": "0.34", "hi": "0.35"}}), Some("wrong-gaussian")),
+        // Close to 1/3, and not around it.
+        (json!({"gaussian": {"lo": "0.333333333333333334", "hi": "0.333333333333333335"}}), Some("wrong-gaussian")),
+        (json!({"gaussian": {"lo": "0.333333333333333331", "hi": "0.333333333333333332"}}), Some("wrong-gaussian")),
         (json!({"gaussian": {"lo": "0.33333333333334", "hi": "0.33333333333333"}}), Some("wrong-gaussian")),
         // k = −√3/3.
         (root("-1/3"), None),
