@@ -53,7 +53,8 @@ fn builtin(builtin: Builtin) -> InProcess {
     let answer = move |op: &str, input: &Value| {
         let line = json!({"id": 1, "op": op, "in": input}).to_string() + "\n";
         let mut out = Vec::new();
-        isoracle::judge::isosurface::builtin::serve(builtin, line.as_bytes(), &mut out).unwrap();
+        isoracle::judge::builtin::serve(isoracle::judge::builtin::Builtin::Mesher(builtin), line.as_bytes(), &mut out)
+            .unwrap();
         let mut message: Value = serde_json::from_slice(&out).unwrap();
         Reply::Out(message["out"].take())
     };

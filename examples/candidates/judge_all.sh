@@ -4,8 +4,8 @@ set -u
 isoracle=$1 python=$2 folder=$3
 here=$(dirname "$0")
 mkdir -p "$folder"
-for adapter in skimage_lewiner skimage_lorensen pymcubes vtk_mc libigl_mc trimesh_check; do
-    case $adapter in *_check) suite=mesh ;; *) suite=isosurface ;; esac
+for adapter in skimage_lewiner skimage_lorensen pymcubes vtk_mc libigl_mc trimesh_check scipy_ndimage; do
+    case $adapter in *_check) suite=mesh ;; scipy_*) suite=spline ;; *) suite=isosurface ;; esac
     "$isoracle" judge --suite $suite --report "$folder/$adapter" -- "$python" "$here/$adapter.py" >"$folder/$adapter.txt" 2>"$folder/$adapter.log"
     case $? in
     0 | 1) tail -n 1 "$folder/$adapter.txt" | sed "s/^/$adapter: /" ;;

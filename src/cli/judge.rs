@@ -10,6 +10,7 @@ use isoracle::judge::isosurface::Isosurface;
 use isoracle::judge::isosurface::place::Tolerance;
 use isoracle::judge::junit::junit;
 use isoracle::judge::mesh::Mesh;
+use isoracle::judge::numbers::{Family, MaxError, Numbers};
 use isoracle::judge::report::{Outcome, Report, json};
 use isoracle::judge::run;
 use isoracle::judge::suite::{self, Judgement};
@@ -34,17 +35,21 @@ pub struct Judge {
     /// The seed of the random questions; the same seed asks the same ones.
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// How many random questions to ask of each group: pairs, grids, near-degenerate ones, ties; of each kind of mesh or
-    /// gluing scheme, a tenth as many.
+    /// How many random questions to ask of each group: pairs, grids, near-degenerate ones, ties; of each kind of mesh,
+    /// gluing scheme, spline or curvature, a tenth as many.
     #[arg(long, value_name = "N", default_value_t = 200)]
     cases: usize,
     /// Seconds that an answer may take.
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = seconds)]
     limit: f64,
-    /// How far a vertex may be from the true crossing, or another real number from the true one, in units in the last place
-    /// of binary32.
-    #[arg(long, value_name = "ULP", default_value_t = Tolerance::default().0)]
-    max_ulp: f64,
+    /// How far a plain number may be off. Isosurfaces and meshes: a vertex from the true crossing, or another real number
+    /// from the true one, in units in the last place of binary32 [default: 64]. Splines and curvatures: in units of 2⁻⁵²
+    /// (binary64) of the largest number of the same list [default: 4096].
+    #[arg(long, value_name = "ULP", value_parser = ulps)]
+    max_ulp: Option<f64>,
+    /// Splines and curvatures: a number may be no more than --max-ulp off in units in its own last place, either.
+    #[arg(long)]
+    componentwise: bool,
     /// Where to write report.json, report.html and report.xml (JUnit); nothing is written without it but
     /// report.json in the working folder.
     #[arg(long, value_name = "FOLDER")]
@@ -64,7 +69,8 @@ Exit codes: 0 every answer is right, 1 the candidate is wrong, 2 usage, 3 it cra
 Examples:
   $ isoracle judge -- isoracle answer
   $ isoracle judge -- isoracle candidate classic
-  $ isoracle judge --report report -- python3 examples/candidates/skimage_lewiner.py";
+  $ isoracle judge --report report -- python3 examples/candidates/skimage_lewiner.py
+  $ isoracle judge --suite curvature -- isoracle candidate formulas";
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Suite {
@@ -74,6 +80,10 @@ enum Suite {
     Mesh,
     /// Gluing schemes of 3-manifolds: whether they are some, their cells, homology, tetrahedra, refinements.
     Complex,
+    /// Cubic splines: coefficients, values, derivatives, with histograms of their errors.
+    Spline,
+    /// Curvatures of curves, surfaces and splines, with histograms of their errors.
+    Curvature,
 }
 
 #[derive(Debug, Error, Diagnostic)]
@@ -98,11 +108,16 @@ const BROKEN: u8 = 3;
 
 impl Judge {
     pub fn run(self) -> miette::Result<ExitCode> {
-        let tolerance = Tolerance(self.max_ulp);
+        let tolerance = self.max_ulp.map_or_else(Tolerance::default, Tolerance);
+        let most =
+            MaxError { units: self.max_ulp.unwrap_or(MaxError::default().units), componentwise: self.componentwise };
+        let numbers = |family| Numbers { family, seed: self.seed, cases: self.cases.div_ceil(10), most };
         match self.suite {
             Suite::Isosurface => self.run_suite(&Isosurface { seed: self.seed, cases: self.cases, tolerance }),
             Suite::Mesh => self.run_suite(&Mesh { seed: self.seed, cases: self.cases.div_ceil(10), tolerance }),
             Suite::Complex => self.run_suite(&Complex { seed: self.seed, cases: self.cases.div_ceil(10) }),
+            Suite::Spline => self.run_suite(&numbers(Family::Spline)),
+            Suite::Curvature => self.run_suite(&numbers(Family::Curvature)),
         }
     }
 
@@ -182,6 +197,14 @@ fn ask_one(suite: &impl suite::Suite, candidate: &mut Process, text: &str) -> mi
             ExitCode::from(BROKEN)
         }
     })
+}
+
+#[derive(Debug, Error)]
+#[error("a finite number of units, 0 or more")]
+struct NotUnits;
+
+fn ulps(text: &str) -> Result<f64, NotUnits> {
+    text.parse().ok().filter(|units: &f64| units.is_finite() && *units >= 0.0).ok_or(NotUnits)
 }
 
 #[derive(Debug, Error)]

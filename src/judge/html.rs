@@ -1,5 +1,7 @@
 //! The run as one HTML page that needs nothing else: no script, no other file, no network.
 
+mod accuracy;
+
 use super::report::{Failure, Outcome, QuestionRecord, Report, Row, Seconds, SurfaceRecord, VolumeQuestion, grouped};
 use super::svg::{self, Picture};
 use super::text::ulp;
@@ -53,6 +55,7 @@ pub fn page(report: &Report, extra: &[Section]) -> String {
                     (summary(report))
                     (cases(report))
                     (groups(report))
+                    (accuracy::accuracy(&report.accuracy))
                     (faults(report))
                     (failures(report))
                     @for section in extra { (extra_section(section)) }
@@ -154,6 +157,7 @@ fn kinds(report: &Report) -> &'static str {
     match report.suite.as_str() {
         "isosurface" => "cases",
         "complex" => "kinds of schemes",
+        "spline" | "curvature" => "kinds of questions",
         _ => "kinds of meshes",
     }
 }
@@ -168,6 +172,7 @@ fn cases(report: &Report) -> Markup {
                 @else if report.suite == "complex" {
                     "Gluing schemes of 3-manifolds, or of what is none at least for the reason that the row is named for."
                 }
+                @else if report.suite != "mesh" { "Questions that any good implementation in binary64 can answer." }
                 @else { "Meshes that are sound, or have the defect that the row is named for, perhaps among others." }
                 " A name in bold leads to its smallest failure."
             }

@@ -1,5 +1,6 @@
 //! What a run of the judge found: the record behind every form of report.
 
+use super::accuracy::Accuracy;
 use serde::Serialize;
 
 /// A whole run.
@@ -9,14 +10,14 @@ pub struct Report {
     pub report: u32,
     /// What the candidate said of itself, and how it was started.
     pub candidate: CandidateInfo,
-    /// The suite: "isosurface", "mesh" or "complex".
+    /// The suite: "isosurface", "mesh", "complex", "spline" or "curvature".
     pub suite: String,
     /// The seed of the random questions; the same seed asks the same questions.
     pub seed: u64,
     /// The verdict in one word.
     pub verdict: Outcome,
     /// The suite's cases: of isosurfaces the 33 of single cells, in Chernyaev's order; of meshes and
-    /// gluing schemes the kinds of defects.
+    /// gluing schemes the kinds of defects; of splines and curvatures the kinds of questions.
     pub cases: Vec<Row>,
     /// The other groups: of isosurfaces pairs, grids, near-degenerate, ties.
     pub groups: Vec<Row>,
@@ -26,6 +27,9 @@ pub struct Report {
     pub left_out: Vec<String>,
     /// The largest position error on a grid edge, in units in the last place of binary64 and of binary32.
     pub position_error: PositionError,
+    /// Of each operation whose plain numbers were measured, how far these are off; absent where none were.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub accuracy: Vec<Accuracy>,
     /// Seconds that the candidate took for its answers, and the oracle for its own.
     pub seconds: Seconds,
 }
@@ -186,11 +190,7 @@ impl Row {
     /// The share of the questions answered rightly, in percent, rounded down to a tenth: "100" only where
     /// all are; "–" where none was asked.
     pub fn pass_rate(&self) -> String {
-        match (self.passed * 1000).checked_div(self.asked) {
-            None => "–".to_owned(),
-            Some(1000) => "100".to_owned(),
-            Some(tenths) => format!("{}.{}", tenths / 10, tenths % 10),
-        }
+        percent(self.passed, self.asked)
     }
 }
 
@@ -269,6 +269,15 @@ impl PositionError {
     pub fn widen(&mut self, more: PositionError) {
         self.binary64_ulp = self.binary64_ulp.max(more.binary64_ulp);
         self.binary32_ulp = self.binary32_ulp.max(more.binary32_ulp);
+    }
+}
+
+/// A share in percent, rounded down to a tenth: "100" only of all, "–" of none.
+pub fn percent(part: usize, whole: usize) -> String {
+    match (part * 1000).checked_div(whole) {
+        None => "–".to_owned(),
+        Some(1000) => "100".to_owned(),
+        Some(tenths) => format!("{}.{}", tenths / 10, tenths % 10),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Asking a candidate a whole suite, and gathering what it got wrong.
 
+use super::accuracy::Accuracy;
 use super::candidate::{Breakdown, Candidate, Reply};
 use super::report::{CandidateInfo, Failure, Outcome, PositionError, Report, Row, Seconds};
 use super::shrink::shrink;
@@ -63,6 +64,7 @@ pub fn run<S: Suite>(
     let info = hello(candidate, suite.operations())?;
     let mut seconds = Seconds::default();
     let mut position_error = PositionError::default();
+    let mut accuracy: BTreeMap<&'static str, Accuracy> = BTreeMap::new();
     let mut all_left_out = BTreeSet::new();
     let mut tallies: BTreeMap<String, Tally<S::Question>> = BTreeMap::new();
     let questions = suite.questions();
@@ -75,8 +77,15 @@ pub fn run<S: Suite>(
         suite.answer(question);
         seconds.oracle += answered.elapsed().as_secs_f64();
         tally.asked += 1;
+        if let Judgement::Right { measured, .. } | Judgement::Wrong { measured, .. } = &judgement {
+            for number in measured {
+                let operation = suite.operation(question);
+                let of = accuracy.entry(operation).or_insert_with(|| Accuracy::new(operation));
+                of.note(number, || suite.text(question));
+            }
+        }
         match judgement {
-            Judgement::Right { error, left_out } => {
+            Judgement::Right { error, left_out, .. } => {
                 tally.passed += 1;
                 position_error.widen(error);
                 all_left_out.extend(left_out);
@@ -125,6 +134,7 @@ pub fn run<S: Suite>(
         failures,
         left_out: all_left_out.into_iter().collect(),
         position_error,
+        accuracy: accuracy.into_values().collect(),
         seconds,
     })
 }

@@ -1,5 +1,6 @@
 //! What a suite is: questions, each of a row of the report's table, and how answers to them are judged.
 
+use super::accuracy::Measured;
 use super::candidate::{Breakdown, Candidate};
 use super::report::{Failure, PositionError};
 use crate::answer::value::{InvalidField, Object};
@@ -14,6 +15,8 @@ pub enum Judgement<E> {
         error: PositionError,
         /// What the answer does not say, though the question asks for it.
         left_out: Vec<String>,
+        /// The errors of its plain numbers, where they are measured.
+        measured: Vec<Measured>,
     },
     /// It is wrong.
     Wrong {
@@ -21,6 +24,8 @@ pub enum Judgement<E> {
         fault: &'static str,
         /// How far its positions are off, where there are any.
         error: PositionError,
+        /// The errors of its plain numbers, where they are measured.
+        measured: Vec<Measured>,
         /// What shows it.
         evidence: E,
     },
@@ -33,7 +38,7 @@ pub enum Judgement<E> {
 impl<E> Judgement<E> {
     /// Right, with nothing more to say.
     pub fn right() -> Judgement<E> {
-        Judgement::Right { error: PositionError::default(), left_out: Vec::new() }
+        Judgement::Right { error: PositionError::default(), left_out: Vec::new(), measured: Vec::new() }
     }
 }
 
@@ -56,6 +61,8 @@ pub trait Suite {
     fn questions(&self) -> Vec<Self::Question>;
     /// The row that a question belongs to.
     fn row(&self, question: &Self::Question) -> String;
+    /// The operation that a question asks.
+    fn operation(&self, question: &Self::Question) -> &'static str;
     /// Asks a question and judges the answer.
     fn ask(&self, candidate: &mut dyn Candidate, question: &Self::Question) -> Judgement<Self::Evidence>;
     /// Works out the oracle's own answer, to be timed.

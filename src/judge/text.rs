@@ -1,5 +1,7 @@
 //! The report for a terminal, 80 columns wide.
 
+mod accuracy;
+
 use super::report::{Failure, Outcome, QuestionRecord, Report, Row, grouped};
 
 /// The most failures that are shown.
@@ -22,6 +24,7 @@ pub fn text(report: &Report, colour: bool) -> String {
         out += &table("group", &report.groups, &ink).join("\n");
         out += "\n";
     }
+    out += &accuracy::accuracy(&report.accuracy, &ink);
     for (i, failure) in report.failures.iter().take(MOST_FAILURES).enumerate() {
         out += "\n";
         out += &one_failure(i + 1, failure, &ink);

@@ -51,6 +51,11 @@ pub fn ulp_error(x: f64, exact: &Rational) -> Result<Rational, NumberError> {
     Ok((from_f64(x)? - exact).abs() / BINARY64.unit_at(exact))
 }
 
+/// The unit of the last place of [`nearest_f64`]`(x)`, in which [`ulp_error`] counts. NU-6.
+pub fn unit_in_last_place(x: &Rational) -> Rational {
+    BINARY64.unit_at(x)
+}
+
 /// [`ulp_error`] for binary32: the unit is 2^max(e−23, −149), and 2¹⁰⁴ beyond the largest one. NU-6.
 ///
 /// # Errors

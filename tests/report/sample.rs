@@ -187,6 +187,7 @@ pub fn report() -> Report {
         failures: vec![missed_tunnel(), inside_out(), crack(), crash()],
         left_out: Vec::new(),
         position_error: PositionError { binary64_ulp: 1.5, binary32_ulp: 0.0 },
+        accuracy: Vec::new(),
         seconds: Seconds { candidate: 1.25, oracle: 6.5, total: 8.125 },
     }
 }

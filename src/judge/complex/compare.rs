@@ -1,7 +1,7 @@
 //! A candidate's answer beside the true one. What it leaves out is not judged, and named.
 
 use crate::answer::value;
-use crate::judge::fault::Fault;
+use crate::judge::fault::{Comparison, Fault};
 use crate::number::Integer;
 use serde_json::Value;
 
@@ -62,8 +62,8 @@ const REFINED: [Field; 10] = [
 /// Lists are compared sorted; torsion as a group, so that 2, 6 and 2, 2, 3 are one. Any reason that holds will do. Where a scheme is
 /// no manifold because of the surfaces around its vertices, its numbers need not be there, and are judged if they are.
 #[doc(alias = "CX-98")]
-pub fn compare(operation: &str, truth: &Value, found: &Value) -> (Vec<Fault>, Vec<String>) {
-    let mut comparison = Comparison { faults: Vec::new(), left_out: Vec::new(), said: 0 };
+pub fn compare(operation: &str, truth: &Value, found: &Value) -> Comparison {
+    let mut comparison = Comparing { faults: Vec::new(), left_out: Vec::new(), said: 0 };
     match operation {
         "complex.glue" => comparison.glued(truth, found),
         "complex.refine" => comparison.numbers(&REFINED, truth, found, true),
@@ -74,16 +74,16 @@ pub fn compare(operation: &str, truth: &Value, found: &Value) -> (Vec<Fault>, Ve
             vec![Fault::new("says-nothing", formula("answer"), "answer", &truth.to_string(), &found.to_string())];
         comparison.left_out.clear();
     }
-    (comparison.faults, comparison.left_out)
+    Comparison { faults: comparison.faults, left_out: comparison.left_out, measured: Vec::new() }
 }
 
-struct Comparison {
+struct Comparing {
     faults: Vec<Fault>,
     left_out: Vec<String>,
     said: usize,
 }
 
-impl Comparison {
+impl Comparing {
     fn glued(&mut self, truth: &Value, found: &Value) {
         self.numbers(&[("valid", "wrong-validity", As::Value)], truth, found, true);
         let is_valid = truth["valid"] == true;

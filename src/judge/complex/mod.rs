@@ -10,10 +10,9 @@ mod smaller;
 pub use disguise::disguised;
 
 use super::candidate::{Candidate, Reply};
-use super::fault::{Fault, failure};
-use super::report::{Failure, PositionError};
+use super::fault::{self, Evidence, failure};
+use super::report::Failure;
 use super::suite::{Judgement, Suite};
-use crate::answer;
 use crate::answer::value::{InvalidField, Object};
 use crate::complex::closed_complex::ClosedComplex;
 use crate::complex::manifold::Manifold3;
@@ -31,41 +30,24 @@ pub struct Complex {
     pub cases: usize,
 }
 
-/// What shows that an answer is wrong: the weightiest first.
-#[derive(Clone, Debug)]
-pub struct Evidence(Vec<Fault>);
-
 /// The kinds of error that a scheme may be refused with that is no manifold.
 const REFUSALS: [&str; 2] = ["invalid-input", "degenerate"];
 
-impl Complex {
-    fn judge(&self, question: &Question, reply: Reply) -> Judgement<Evidence> {
-        let (faults, left_out) = match (truth(question), reply) {
-            (_, Reply::Broken(breakdown)) => return Judgement::Broken(breakdown),
-            (_, Reply::Unsupported(why)) => return Judgement::Unsupported(why),
-            (_, Reply::Error { kind, message }) if kind == "limit" => return Judgement::Unsupported(message),
-            // Whether a scheme is ill-posed or only no manifold is told apart by the reasons of `complex.glue`.
-            (Err(_), Reply::Error { kind, .. }) if REFUSALS.contains(&&kind[..]) => return Judgement::right(),
-            (Err(kind), Reply::Error { kind: found, message }) => {
-                (vec![Fault::refused(compare::formula("answer"), kind, &format!("{found}: {message}"))], Vec::new())
-            }
-            (Err(kind), Reply::Out(out)) => (vec![Fault::answered(compare::formula("answer"), kind, &out)], Vec::new()),
-            (Ok(truth), Reply::Error { kind, message }) => {
-                if kind == "invalid-input" && is_ill_posed(&truth) {
-                    return Judgement::right();
-                }
-                (
-                    vec![Fault::refused(compare::formula("answer"), "an answer", &format!("{kind}: {message}"))],
-                    Vec::new(),
-                )
-            }
-            (Ok(truth), Reply::Out(out)) => compare::compare(question.operation(), &truth, &out),
-        };
-        match faults.first().map(|fault| fault.name) {
-            None => Judgement::Right { error: PositionError::default(), left_out },
-            Some(fault) => Judgement::Wrong { fault, error: PositionError::default(), evidence: Evidence(faults) },
+/// Judges a reply. A scheme that is no manifold may be refused for either reason, and one that is none at all be refused
+/// where the oracle answers with its reasons.
+fn judge(question: &Question, reply: Reply) -> Judgement<Evidence> {
+    let truth = truth(question);
+    match (&truth, &reply) {
+        // Whether a scheme is ill-posed or only no manifold is told apart by the reasons of `complex.glue`.
+        (Err(_), Reply::Error { kind, .. }) if REFUSALS.contains(&&kind[..]) => return Judgement::right(),
+        (Ok(truth), Reply::Error { kind, .. }) if kind == "invalid-input" && is_ill_posed(truth) => {
+            return Judgement::right();
         }
+        (_, _) => {}
     }
+    fault::judge(compare::formula("answer"), truth, reply, |truth, found| {
+        compare::compare(question.operation(), truth, found)
+    })
 }
 
 /// Whether the truth is that the scheme is no scheme at all: nothing can be glued.
@@ -76,11 +58,7 @@ fn is_ill_posed(truth: &Value) -> bool {
 
 /// The oracle's answer, or the kind of error that the question is.
 fn truth(question: &Question) -> Result<Value, &'static str> {
-    let Value::Object(input) = question.input() else { unreachable!("a question's `in` is an object") };
-    match answer::out(question.operation(), &input) {
-        Ok(out) => Ok(out.value()),
-        Err(refusal) => Err(refusal.kind().map_or("unsupported", |kind| kind.name())),
-    }
+    fault::truth(question.operation(), &question.input())
 }
 
 /// The reasons for which a scheme is no manifold, none iff it is one.
@@ -118,9 +96,13 @@ impl Suite for Complex {
         question.row.name().to_owned()
     }
 
+    fn operation(&self, question: &Question) -> &'static str {
+        question.operation()
+    }
+
     fn ask(&self, candidate: &mut dyn Candidate, question: &Question) -> Judgement<Evidence> {
         let reply = candidate.ask(question.operation(), &question.input());
-        self.judge(question, reply)
+        judge(question, reply)
     }
 
     fn answer(&self, question: &Question) {

@@ -10,9 +10,8 @@ use crate::isosurface::cube::{Corner, Edge, Face};
 use crate::isosurface::patch::{Patch, PatchVertex, patch, share_a_face};
 use crate::isosurface::volume::{DegenerateCell, GridEdge, Level};
 use crate::number::binary::nearest_f64;
-use serde_json::{Value, json};
+use serde_json::json;
 use std::collections::HashMap;
-use std::io::{self, BufRead, Write};
 
 /// A built-in candidate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -88,20 +87,6 @@ impl Builtin {
         Ok((positions, triangles))
     }
 }
-
-impl std::str::FromStr for Builtin {
-    type Err = UnknownBuiltin;
-    fn from_str(name: &str) -> Result<Builtin, UnknownBuiltin> {
-        Builtin::ALL.into_iter().find(|b| b.name() == name).ok_or_else(|| UnknownBuiltin(name.to_owned()))
-    }
-}
-
-/// A name that is none of them.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "{0:?} is no built-in candidate; there are classic, wrong-face-rule, wrong-interior-rule, flipped-triangle, duplicated-triangle, hole, edge-in-face, right"
-)]
-pub struct UnknownBuiltin(String);
 
 fn negative_faces(decisions: Decisions) -> Decisions {
     Decisions { faces: decisions.faces.map(|sign| if sign == 0 { 0 } else { -1 }), tunnel: None, ..decisions }
@@ -199,39 +184,25 @@ fn classic(level: &Level) -> Indexed {
     (positions, triangles)
 }
 
-/// Speaks the protocol for a built-in candidate until the input ends.
-///
-/// # Errors
-/// The input or the output failed.
-pub fn serve(builtin: Builtin, input: impl BufRead, mut output: impl Write) -> io::Result<()> {
-    for line in input.split(b'\n') {
-        let line = match Question::parse(&line?) {
-            Err(refusal) => refusal.line(&Value::Null),
-            Ok(question) => match answer(builtin, &question) {
-                Ok(out) => out.line(&question.id),
-                Err(refusal) => refusal.line(&question.id),
-            },
-        };
-        output.write_all(line.as_bytes())?;
-        output.write_all(b"\n")?;
-        output.flush()?;
-    }
-    Ok(())
-}
-
-fn answer(builtin: Builtin, question: &Question) -> Result<Out, Refusal> {
-    match question.op.as_str() {
-        "hello" => {
-            let hello = json!({"protocol": 1, "name": builtin.name(), "version": env!("CARGO_PKG_VERSION"), "ops": ["isosurface.mesh"]});
-            Ok(Out::new(&hello))
+impl Builtin {
+    /// What it answers.
+    ///
+    /// # Errors
+    /// As the oracle.
+    pub fn answer(self, question: &Question) -> Result<Out, Refusal> {
+        match question.op.as_str() {
+            "hello" => {
+                let hello = json!({"protocol": 1, "name": self.name(), "version": env!("CARGO_PKG_VERSION"), "ops": ["isosurface.mesh"]});
+                Ok(Out::new(&hello))
+            }
+            "isosurface.mesh" => {
+                let input = question.input()?;
+                let volume = value::field(input, "volume", volume::read)?;
+                let isovalue = value::field(input, "isovalue", value::number)?;
+                let (vertices, faces) = self.mesh(&Level { volume: &volume, isovalue, tie: Tie::Below })?;
+                Ok(Out::new(&json!({"vertices": vertices, "faces": faces})))
+            }
+            other => Err(Refusal::NoSuchOperation(other.chars().take(100).collect())),
         }
-        "isosurface.mesh" => {
-            let input = question.input()?;
-            let volume = value::field(input, "volume", volume::read)?;
-            let isovalue = value::field(input, "isovalue", value::number)?;
-            let (vertices, faces) = builtin.mesh(&Level { volume: &volume, isovalue, tie: Tie::Below })?;
-            Ok(Out::new(&json!({"vertices": vertices, "faces": faces})))
-        }
-        other => Err(Refusal::NoSuchOperation(other.chars().take(100).collect())),
     }
 }

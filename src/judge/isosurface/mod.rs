@@ -49,7 +49,8 @@ pub struct Evidence {
 }
 
 fn wrong(faults: Vec<Fault>, mesh: Option<CandidateMesh>, error: PositionError) -> Judgement<Evidence> {
-    Judgement::Wrong { fault: faults[0].name(), error, evidence: Evidence { faults, mesh } }
+    let fault = faults[0].name();
+    Judgement::Wrong { fault, error, measured: Vec::new(), evidence: Evidence { faults, mesh } }
 }
 
 impl Suite for Isosurface {
@@ -81,6 +82,10 @@ impl Suite for Isosurface {
         question.row.name().to_owned()
     }
 
+    fn operation(&self, _: &Question) -> &'static str {
+        "isosurface.mesh"
+    }
+
     fn ask(&self, candidate: &mut dyn Candidate, question: &Question) -> Judgement<Evidence> {
         let is_tie = question.row == Row::Ties;
         match candidate.ask("isosurface.mesh", &input(question)) {
@@ -97,7 +102,7 @@ impl Suite for Isosurface {
                 Ok(mesh) => {
                     let Verdict { faults, error, .. } = judge(question, &mesh, self.tolerance);
                     if faults.is_empty() {
-                        Judgement::Right { error, left_out: Vec::new() }
+                        Judgement::Right { error, left_out: Vec::new(), measured: Vec::new() }
                     } else {
                         wrong(faults, Some(mesh), error)
                     }

@@ -1,7 +1,7 @@
 //! A candidate's answer beside the true one. What it leaves out is not judged, and named.
 
 use crate::answer::value;
-use crate::judge::fault::Fault;
+use crate::judge::fault::{Comparison, Fault};
 use crate::judge::isosurface::place::Tolerance;
 use crate::linear::Vector;
 use crate::number::Rational;
@@ -17,8 +17,8 @@ enum Said {
 }
 
 /// The faults of an answer, the weightiest first, and the names of the fields that it leaves out.
-pub fn compare(operation: &str, truth: &Value, found: &Value, tolerance: Tolerance) -> (Vec<Fault>, Vec<String>) {
-    let mut comparison = Comparison { faults: Vec::new(), left_out: Vec::new(), said: 0, tolerance };
+pub fn compare(operation: &str, truth: &Value, found: &Value, tolerance: Tolerance) -> Comparison {
+    let mut comparison = Comparing { faults: Vec::new(), left_out: Vec::new(), said: 0, tolerance };
     match operation {
         "mesh.check" => comparison.check(truth, found),
         "mesh.plane" => comparison.plane(truth, found),
@@ -30,17 +30,17 @@ pub fn compare(operation: &str, truth: &Value, found: &Value, tolerance: Toleran
             vec![Fault::new("says-nothing", whole(operation), "answer", &truth.to_string(), &found.to_string())];
         comparison.left_out.clear();
     }
-    (comparison.faults, comparison.left_out)
+    Comparison { faults: comparison.faults, left_out: comparison.left_out, measured: Vec::new() }
 }
 
-struct Comparison {
+struct Comparing {
     faults: Vec<Fault>,
     left_out: Vec<String>,
     said: usize,
     tolerance: Tolerance,
 }
 
-impl Comparison {
+impl Comparing {
     /// Takes note of what was said of a field.
     fn note(&mut self, said: Said, name: &'static str, formula: &'static str, field: &str, pair: [&Value; 2]) {
         match said {

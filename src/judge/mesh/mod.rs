@@ -6,12 +6,11 @@ mod plant;
 pub mod questions;
 mod smaller;
 
-use super::candidate::{Candidate, Reply};
-use super::fault::{Fault, failure};
+use super::candidate::Candidate;
+use super::fault::{self, Evidence, failure};
 use super::isosurface::place::Tolerance;
-use super::report::{Failure, PositionError, SurfaceRecord};
+use super::report::{Failure, SurfaceRecord};
 use super::suite::{Judgement, Suite};
-use crate::answer;
 use crate::answer::value::{InvalidField, Object};
 use crate::number::binary::nearest_f64;
 use questions::{Question, Row, questions};
@@ -28,49 +27,9 @@ pub struct Mesh {
     pub tolerance: Tolerance,
 }
 
-/// What shows that an answer is wrong: the weightiest first.
-#[derive(Clone, Debug)]
-pub struct Evidence(Vec<Fault>);
-
-impl Mesh {
-    fn judge(&self, question: &Question, reply: Reply) -> Judgement<Evidence> {
-        let truth = truth(question);
-        let (faults, left_out) = match (truth, reply) {
-            (_, Reply::Broken(breakdown)) => return Judgement::Broken(breakdown),
-            (_, Reply::Unsupported(why)) => return Judgement::Unsupported(why),
-            (_, Reply::Error { kind, message }) if kind == "limit" => return Judgement::Unsupported(message),
-            (Err(kind), Reply::Error { kind: found, .. }) if found == kind => return Judgement::right(),
-            (Err(kind), Reply::Error { kind: found, message }) => (
-                vec![Fault::refused(compare::whole(question.row.operation()), kind, &format!("{found}: {message}"))],
-                Vec::new(),
-            ),
-            (Err(kind), Reply::Out(out)) => {
-                (vec![Fault::answered(compare::whole(question.row.operation()), kind, &out)], Vec::new())
-            }
-            (Ok(_), Reply::Error { kind, message }) => (
-                vec![Fault::refused(
-                    compare::whole(question.row.operation()),
-                    "an answer",
-                    &format!("{kind}: {message}"),
-                )],
-                Vec::new(),
-            ),
-            (Ok(truth), Reply::Out(out)) => compare::compare(question.row.operation(), &truth, &out, self.tolerance),
-        };
-        match faults.first().map(|fault| fault.name) {
-            None => Judgement::Right { error: PositionError::default(), left_out },
-            Some(fault) => Judgement::Wrong { fault, error: PositionError::default(), evidence: Evidence(faults) },
-        }
-    }
-}
-
 /// The oracle's answer, or the kind of error that the question is.
 fn truth(question: &Question) -> Result<Value, &'static str> {
-    let Value::Object(input) = question.input() else { unreachable!("a question's `in` is an object") };
-    match answer::out(question.row.operation(), &input) {
-        Ok(out) => Ok(out.value()),
-        Err(refusal) => Err(refusal.kind().map_or("unsupported", |kind| kind.name())),
-    }
+    fault::truth(question.row.operation(), &question.input())
 }
 
 /// Whether the truth has a defect of that category.
@@ -107,9 +66,16 @@ impl Suite for Mesh {
         question.row.name().to_owned()
     }
 
+    fn operation(&self, question: &Question) -> &'static str {
+        question.row.operation()
+    }
+
     fn ask(&self, candidate: &mut dyn Candidate, question: &Question) -> Judgement<Evidence> {
-        let reply = candidate.ask(question.row.operation(), &question.input());
-        self.judge(question, reply)
+        let operation = question.row.operation();
+        let reply = candidate.ask(operation, &question.input());
+        fault::judge(compare::whole(operation), truth(question), reply, |truth, found| {
+            compare::compare(operation, truth, found, self.tolerance)
+        })
     }
 
     fn answer(&self, question: &Question) {
