@@ -1,4 +1,4 @@
-//! CirclePolynomial polynomials, exactly: the ring ℚ[c, s, …]/(c² + s² − 1) with c′ = −s, s′ = c.
+//! Polynomials in cos t and sin t, exactly: the ring ℚ[c, s, …]/(c² + s² − 1) with c′ = −s, s′ = c.
 
 use super::rational_curve::Period;
 use crate::number::{Multivariate, Polynomial, Rational, Ring};

@@ -9,11 +9,13 @@ mod implicit_curvature;
 mod implicit_function;
 mod implicit_graph;
 mod level;
+mod level_curves;
 mod motion;
 mod normal_field;
 mod normalize_derivative;
 mod point_kind;
 mod principal_direction;
+mod quadrature;
 mod regular_value;
 mod sampled;
 mod shape_operator;
@@ -28,8 +30,6 @@ mod surface_samples;
 mod surface_tangents;
 mod surface_topology;
 mod surface_weingarten;
-mod level_curves;
-mod quadrature;
 
 use isoracle::number::Rational;
 
