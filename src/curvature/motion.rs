@@ -204,7 +204,7 @@ impl Affine {
     }
 }
 
-/// The jet of f with its variables permuted: variable i takes the place of[i]. A level set is reflected or turned with it, and K and H
+/// The jet of f with its variables permuted: variable i takes the place of\[i]. A level set is reflected or turned with it, and K and H
 /// are kept. CU-330.
 #[doc(alias = "CU-330")]
 pub fn permuted<K: Ring>(jet: &Jet<K, 3>, of: [usize; 3]) -> Jet<K, 3> {

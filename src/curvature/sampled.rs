@@ -5,10 +5,10 @@ use super::motion::Affine;
 use crate::linear::{Matrix, Vector};
 use crate::number::{Rational, Trivariate};
 
-/// The jet by central differences of the samples g[i, j, k] around a grid point: exact for polynomials of degree 2, and
+/// The jet by central differences of the samples g\[i, j, k] around a grid point: exact for polynomials of degree 2, and
 /// for no others in general. CU-374.
 ///
-/// ∂ᵢ ≈ (g[+eᵢ] − g[−eᵢ])/2, ∂ᵢᵢ ≈ g[+eᵢ] − 2g[0] + g[−eᵢ], ∂ᵢⱼ ≈ (g[+eᵢ+eⱼ] − g[+eᵢ−eⱼ] − g[−eᵢ+eⱼ] + g[−eᵢ−eⱼ])/4.
+/// ∂ᵢ ≈ (g[+eᵢ] − g[−eᵢ])/2, ∂ᵢᵢ ≈ g[+eᵢ] − 2g\[0] + g[−eᵢ], ∂ᵢⱼ ≈ (g[+eᵢ+eⱼ] − g[+eᵢ−eⱼ] − g[−eᵢ+eⱼ] + g[−eᵢ−eⱼ])/4.
 #[doc(alias = "CU-374")]
 pub fn central_jet(samples: impl Fn([i64; 3]) -> Rational, at: [i64; 3]) -> Jet<Rational, 3> {
     let sample = |offset: [i64; 3]| samples(std::array::from_fn(|i| at[i] + offset[i]));

@@ -26,7 +26,7 @@ pub struct Magnitude {
 /// One plain number of an answer.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// Where it stands in the answer: "gradient[1]".
+    /// Where it stands in the answer: "gradient\[1]".
     pub field: String,
     /// The truth.
     pub expected: String,

@@ -1,6 +1,6 @@
 //! A spline on a cell, and on parts of it, in Bernstein form: coefficients, enclosed in binary64, that bound it.
 //!
-//! f = Σ b[i,j,k] Bᵢ(u) Bⱼ(v) B_k(w) on a box, (u, v, w) its coordinates from 0 to 1. The Bᵢ are not negative and sum up to 1, so f lies
+//! f = Σ b\[i,j,k] Bᵢ(u) Bⱼ(v) B_k(w) on a box, (u, v, w) its coordinates from 0 to 1. The Bᵢ are not negative and sum up to 1, so f lies
 //! in the hull of the b; so does each derivative in that of its own coefficients, which are differences of the b.
 
 use super::enclosure::{exactly, hull};
@@ -191,7 +191,7 @@ impl CellForm {
         jet_of(|orders| self.derivative_at(at, orders), sides)
     }
 
-    /// Σ q[a] ∂ₐf as a tricubic polynomial again, in the box's coordinates.
+    /// Σ q\[a] ∂ₐf as a tricubic polynomial again, in the box's coordinates.
     pub fn directional(&self, q: [i64; 3]) -> CellForm {
         let mut sum = CellForm { coefficients: [F64Interval::integer(0); 64] };
         for (axis, q) in q.into_iter().enumerate().filter(|(_, q)| *q != 0) {

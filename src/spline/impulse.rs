@@ -12,7 +12,7 @@ pub fn pole() -> Surd {
     Surd::new(Rational::from(-2), Rational::from(1), &Rational::from(3)).expect("3 is not negative")
 }
 
-/// h[k] = −6z/(1 − z²) · z^|k| = √3 z^|k|: the bounded inverse of [1/6 4/6 1/6]. SP-4.
+/// h\[k] = −6z/(1 − z²) · z^|k| = √3 z^|k|: the bounded inverse of [1/6 4/6 1/6]. SP-4.
 #[doc(alias = "SP-4")]
 #[doc(alias = "SP-136")]
 pub fn inverse_filter(distance: u32) -> Surd {
@@ -28,7 +28,7 @@ fn power(x: &Surd, n: u32) -> Surd {
     })
 }
 
-/// c[k] = Σ h[k − j] g[j], the only bounded coefficients whose spline takes the values g on ℤ. SP-4, SP-131.
+/// c\[k] = Σ h\[k − j] g\[j], the only bounded coefficients whose spline takes the values g on ℤ. SP-4, SP-131.
 ///
 /// `None` where k is more than 2³² − 1 away from a sample.
 #[doc(alias = "SP-131")]

@@ -1,6 +1,6 @@
 //! Signals on ℤ without a bound: what solves the interpolation problem (12), and how far it is the only one.
 //!
-//! Coefficients c with (c[k−1] + 4c[k] + c[k+1])/6 = g[k] are given by any two neighbours. Those of g = 0 are a·z^k +
+//! Coefficients c with (c\[k−1] + 4c\[k] + c\[k+1])/6 = g\[k] are given by any two neighbours. Those of g = 0 are a·z^k +
 //! b·z^−k; among bounded ones only 0, so that "the" inverse of the mask and "the" spline through a signal are the bounded
 //! ones.
 
@@ -16,7 +16,7 @@ pub fn mask() -> Samples {
     [(-1, (1, 6)), (0, (4, 6)), (1, (1, 6))].map(|(k, b)| (Integer::from(k), Rational::from(b))).into()
 }
 
-/// (g ⋆ h)[k] = Σ g[i]h[k − i] of a signal g that is 0 but at finitely many places, and any h. SP-127, SP-130.
+/// (g ⋆ h)\[k] = Σ g\[i]h\[k − i] of a signal g that is 0 but at finitely many places, and any h. SP-127, SP-130.
 #[doc(alias = "SP-130")]
 pub fn convolution(g: &Samples, h: impl Fn(&Integer) -> Surd, k: &Integer) -> Surd {
     g.iter().fold(Surd::integer(0), |sum, (i, g)| sum + &(h(&Integer::from(k - i)) * &Surd::from(g.clone())))
@@ -44,7 +44,7 @@ pub fn kernel(a: &Surd, b: &Surd, k: &Integer) -> Option<Surd> {
     Some(falling * a + &(growing * b))
 }
 
-/// f(x) = Σ c[k]B₃(x − k) of any coefficients on ℤ. SP-128.
+/// f(x) = Σ c\[k]B₃(x − k) of any coefficients on ℤ. SP-128.
 pub fn value(c: impl Fn(&Integer) -> Surd, x: &Rational) -> Surd {
     let (i, t) = split(x);
     weights(&t, 0)
@@ -53,7 +53,7 @@ pub fn value(c: impl Fn(&Integer) -> Surd, x: &Rational) -> Surd {
         .fold(Surd::integer(0), |sum, (m, weight)| sum + &(c(&(Integer::from(&i + m) - 1_u32)) * &Surd::from(weight)))
 }
 
-/// c[k] of the coefficients that solve (12) and have the given c[0] and c[1], by c[k+1] = 6g[k] − 4c[k] − c[k−1] and the same
+/// c\[k] of the coefficients that solve (12) and have the given c\[0] and c\[1], by c\[k+1] = 6g\[k] − 4c\[k] − c\[k−1] and the same
 /// backward, |k| steps: for every signal g there are such. SP-129.
 #[doc(alias = "SP-129")]
 pub fn solution(g: impl Fn(&Integer) -> Rational, [c0, c1]: [&Rational; 2], k: &Integer) -> Rational {
@@ -107,7 +107,7 @@ pub fn filter_of(z: &Surd) -> Option<Surd> {
     Some(z.clone() * &Surd::integer(-6) * &denominator.inverse()?)
 }
 
-/// Σ h[k]ζ^−k, the Z transform of the inverse filter on the annulus |z| < |ζ| < 1/|z|: √3·(1/(1 − zζ) + 1/(1 − z/ζ) − 1).
+/// Σ h\[k]ζ^−k, the Z transform of the inverse filter on the annulus |z| < |ζ| < 1/|z|: √3·(1/(1 − zζ) + 1/(1 − z/ζ) − 1).
 /// SP-135.
 ///
 /// `None` outside of the annulus.
@@ -125,7 +125,7 @@ pub fn z_transform(zeta: &Rational) -> Option<Surd> {
     Some((both - &one) * &Surd::sqrt(&Rational::from(3)).expect("3 is not negative"))
 }
 
-/// Σ |h[k]| over |k| ≤ n, which rises to 3: bounded coefficients are at most three times the greatest sample. SP-182.
+/// Σ |h\[k]| over |k| ≤ n, which rises to 3: bounded coefficients are at most three times the greatest sample. SP-182.
 ///
 /// # Panics
 /// Iff n ≥ 2³⁰.

@@ -33,7 +33,7 @@ pub fn numerators(k: usize) -> Vec<Integer> {
     a
 }
 
-/// Σ h[d + mp] over all integers m, the period p ≥ 1: √3(z^e + z^(p−e))/(1 − zᵖ) with e = d mod p, by geometric series. SP-166.
+/// Σ h\[d + mp] over all integers m, the period p ≥ 1: √3(z^e + z^(p−e))/(1 − zᵖ) with e = d mod p, by geometric series. SP-166.
 ///
 /// # Panics
 /// Iff p = 0.
@@ -45,7 +45,7 @@ pub fn images(d: u32, period: u32) -> Surd {
     (inverse_filter(e) + &inverse_filter(period - e)) * &denominator
 }
 
-/// zᵏ = h[k]/√3.
+/// zᵏ = h\[k]/√3.
 fn z_power(k: u32) -> Surd {
     inverse_filter(k) * &inverse_filter(0).inverse().expect("√3 is not 0")
 }
@@ -162,7 +162,7 @@ pub fn periodic_excess_bound(n: u32, d: u32) -> Surd {
     inverse_filter(0) * &Surd::integer(2) * &power(n - d) * &denominator
 }
 
-/// The 2n − 2 samples of a period of the mirrored signal: g[0], …, g[n−1], g[n−2], …, g[1]. SP-171.
+/// The 2n − 2 samples of a period of the mirrored signal: g\[0], …, g\[n−1], g\[n−2], …, g\[1]. SP-171.
 ///
 /// # Errors
 /// `Side` iff there are fewer than two samples.

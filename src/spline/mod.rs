@@ -1,7 +1,7 @@
 //! Cubic B-splines: interpolation of sampled signals in one to three dimensions, exactly (002, 4(a) and 4(b)).
 //!
 //! Sample k stands at the point k. A finite signal of n samples is extended to all integers by its boundary rule: `mirror` is whole-sample
-//! symmetric, c[−k] = c[k] = c[2n − 2 − k], `periodic` is c[k + n] = c[k]. The interpolant f(x) = Σ c[k] B₃(x − k), in several
+//! symmetric, c[−k] = c\[k] = c[2n − 2 − k], `periodic` is c\[k + n] = c\[k]. The interpolant f(x) = Σ c\[k] B₃(x − k), in several
 //! dimensions the tensor product, is defined at every real point, and is C².
 
 pub mod basis;

@@ -8,7 +8,7 @@ use crate::number::{Integer, Rational};
 /// A function of one variable: B₃, B₃′ or B₃″.
 type Factor = fn(&Rational) -> Rational;
 
-/// Σ c[i, j, k] X(x − i) Y(y − j) Z(z − k): the terms with |x − i| ≤ 2, and so on, for the factors are 0 elsewhere. SP-149.
+/// Σ c\[i, j, k] X(x − i) Y(y − j) Z(z − k): the terms with |x − i| ≤ 2, and so on, for the factors are 0 elsewhere. SP-149.
 #[doc(alias = "SP-149")]
 pub fn sum(spline: &Spline<3>, at: &[Rational; 3], factors: [Factor; 3]) -> Rational {
     let near = at.each_ref().map(|x| split(x).0);

@@ -106,7 +106,7 @@ impl<const N: usize> IntegerSpline<N> {
     }
 }
 
-/// The system of an axis, solved in integers: with D the denominator of A⁻¹, the numbers C[k] = D·c[k] are integers.
+/// The system of an axis, solved in integers: with D the denominator of A⁻¹, the numbers C\[k] = D·c\[k] are integers.
 struct Axis {
     boundary: Boundary,
     /// D.
@@ -148,7 +148,7 @@ impl Axis {
         }
     }
 
-    /// C[0], and C[1] for periodic, from the rows of A⁻¹; the others by C[k+1] = 6D·g[k] − 4C[k] − C[k−1], which loses nothing.
+    /// C\[0], and C\[1] for periodic, from the rows of A⁻¹; the others by C\[k+1] = 6D·g\[k] − 4C\[k] − C\[k−1], which loses nothing.
     fn solve(&self, line: &mut [Integer]) {
         let n = line.len();
         let mut before = self.row(line, 0);

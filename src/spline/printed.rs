@@ -6,7 +6,7 @@ use super::degree_one::OnIntegers;
 use super::piecewise::{Piecewise, Smoothness};
 use crate::number::{Integer, Rational};
 
-/// "f(t) = (1 − t)g[i] + t·g[i + 1]", i and t the integer and the fractional part of x: the argument t, and the value that
+/// "f(t) = (1 − t)g\[i] + t·g\[i + 1]", i and t the integer and the fractional part of x: the argument t, and the value that
 /// f is given there. SP-101.
 pub fn linear(g: &OnIntegers, x: &Rational) -> (Rational, Rational) {
     let (i, t) = split(x);
@@ -30,14 +30,14 @@ pub fn translate(n: usize, k: i32) -> Piecewise {
     basis(n).shifted(&Rational::from(k))
 }
 
-/// The first line for f(k), "c[k−1]B₃(k − (k−1)) + c[k]B₃(k − k) + c[k+1](k − (k+1))", where a B₃ is left out. SP-125.
+/// The first line for f(k), "c\[k−1]B₃(k − (k−1)) + c\[k]B₃(k − k) + c\[k+1](k − (k+1))", where a B₃ is left out. SP-125.
 #[doc(alias = "SP-125")]
 pub fn value_at(c: &OnIntegers, k: &Integer) -> Rational {
     let left = c(&Integer::from(k - 1)) * b3(&Rational::from(1));
     left + c(k) * b3(&Rational::new()) - c(&Integer::from(k + 1))
 }
 
-/// The line that follows: c[k−1]B₃(1) + c[k]B₃(0) + c[k+1]B₃(−1). SP-125.
+/// The line that follows: c\[k−1]B₃(1) + c\[k]B₃(0) + c\[k+1]B₃(−1). SP-125.
 pub fn corrected_value_at(c: &OnIntegers, k: &Integer) -> Rational {
     let place = |step: i32| c(&Integer::from(k + step)) * b3(&Rational::from(-step));
     place(-1) + place(0) + place(1)

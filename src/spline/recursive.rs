@@ -7,10 +7,10 @@ use crate::number::{OrderedField, Rational, Ring, Surd};
 /// The coefficients of a line of samples by the recursive filter of M. Unser, A. Aldroubi and M. Eden (1991), exactly, in
 /// ℚ(√3). SP-172.
 ///
-/// c⁺[k] = 6g[k] + z·c⁺[k−1], then c[k] = z(c[k+1] − c⁺[k]). The starting values are the sums of the infinitely many
-/// samples before, by geometric series. Mirror, m = n − 1: c⁺[0] = 6(g[0] + zᵐg[m] + Σ (zᵏ + z^(2m−k))g[k])/(1 − z²ᵐ) over
-/// 0 < k < m, and c[m] = z/(z² − 1)·(c⁺[m] + z·c⁺[m−1]). Periodic: c⁺[0] = 6·Σ zᵏg[−k]/(1 − zⁿ) and c[n−1] = −z·Σ
-/// zᵏc⁺[n−1+k]/(1 − zⁿ), 0 ≤ k < n.
+/// c⁺\[k] = 6g\[k] + z·c⁺\[k−1], then c\[k] = z(c\[k+1] − c⁺\[k]). The starting values are the sums of the infinitely many
+/// samples before, by geometric series. Mirror, m = n − 1: c⁺\[0] = 6(g\[0] + zᵐg\[m] + Σ (zᵏ + z^(2m−k))g\[k])/(1 − z²ᵐ) over
+/// 0 < k < m, and c\[m] = z/(z² − 1)·(c⁺\[m] + z·c⁺\[m−1]). Periodic: c⁺\[0] = 6·Σ zᵏg[−k]/(1 − zⁿ) and c\[n−1] = −z·Σ
+/// zᵏc⁺\[n−1+k]/(1 − zⁿ), 0 ≤ k < n.
 ///
 /// # Errors
 /// `Side` iff there are fewer than two samples.
@@ -32,7 +32,7 @@ pub fn solve(g: &[Rational], boundary: Boundary) -> Result<Vec<Rational>, Signal
     Ok(c.into_iter().rev().map(rational).collect())
 }
 
-/// c⁺[0] = Σ zᵏ g[−k] over all k ≥ 0, as a sum over one period.
+/// c⁺\[0] = Σ zᵏ g[−k] over all k ≥ 0, as a sum over one period.
 fn first_causal(g: &[Surd], z: &Surd, boundary: Boundary) -> Surd {
     let (n, period) = (g.len(), boundary.period(g.len()));
     // g[−k] for k = 0, …, period − 1.
@@ -43,7 +43,7 @@ fn first_causal(g: &[Surd], z: &Surd, boundary: Boundary) -> Surd {
     geometric(z, (0..period).map(before))
 }
 
-/// c[n−1], from c[k] = −Σ z^(j+1) c⁺[k+j] over all j ≥ 0.
+/// c\[n−1], from c\[k] = −Σ z^(j+1) c⁺\[k+j] over all j ≥ 0.
 fn last(causal: &[Surd], z: &Surd, boundary: Boundary) -> Surd {
     let m = causal.len() - 1;
     match boundary {
@@ -58,7 +58,7 @@ fn last(causal: &[Surd], z: &Surd, boundary: Boundary) -> Surd {
     }
 }
 
-/// Σ zᵏ a[k] over all k ≥ 0, a of the period that is given: Σ zᵏ a[k]/(1 − zᵖ) over one period.
+/// Σ zᵏ a\[k] over all k ≥ 0, a of the period that is given: Σ zᵏ a\[k]/(1 − zᵖ) over one period.
 fn geometric<'a>(z: &Surd, period: impl Iterator<Item = &'a Surd>) -> Surd {
     let (sum, power) =
         period.fold((Surd::integer(0), Surd::integer(1)), |(sum, power), a| (sum + &(power.clone() * a), power * z));

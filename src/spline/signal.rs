@@ -8,9 +8,9 @@ use thiserror::Error;
 /// How a finite signal is extended to all integers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Boundary {
-    /// Whole-sample symmetric: c[−k] = c[k] = c[2n − 2 − k], so that the period is 2n − 2.
+    /// Whole-sample symmetric: c[−k] = c\[k] = c[2n − 2 − k], so that the period is 2n − 2.
     Mirror,
-    /// c[k + n] = c[k].
+    /// c\[k + n] = c\[k].
     Periodic,
 }
 

@@ -63,16 +63,16 @@ fn centre(n: usize) -> Rational {
     if n % 2 == 1 { Rational::new() } else { Rational::from((1, 2)) }
 }
 
-/// Σ c[k]Bₙ(x − k), Bₙ moved by ½ for even n: (10) for finitely many coefficients. SP-112.
+/// Σ c\[k]Bₙ(x − k), Bₙ moved by ½ for even n: (10) for finitely many coefficients. SP-112.
 pub fn combination(c: &BTreeMap<Integer, Rational>, n: usize) -> Piecewise {
     let b = generator(n);
     c.iter().fold(Piecewise::zero(), |sum, (k, c)| sum + &b.shifted(&Rational::from(k)).scaled(c))
 }
 
-/// The coefficient c[k] of f in (10), the only one that there is. SP-113.
+/// The coefficient c\[k] of f in (10), the only one that there is. SP-113.
 ///
 /// By the dual functionals of de Boor and Fix: with ψ(t) = Π (m − t)/n! over the n knots m inside the support of the k-th
-/// B-spline, c[k] = Σ (−1)ⁿ⁻ʳ ψ⁽ⁿ⁻ʳ⁾(τ) f⁽ʳ⁾(τ) over r = 0 … n, for any τ within the support.
+/// B-spline, c\[k] = Σ (−1)ⁿ⁻ʳ ψ⁽ⁿ⁻ʳ⁾(τ) f⁽ʳ⁾(τ) over r = 0 … n, for any τ within the support.
 ///
 /// # Errors
 /// Iff f is not in Sₙ.

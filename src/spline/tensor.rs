@@ -6,7 +6,7 @@ use crate::curvature::jet::Jet;
 use crate::linear::{Matrix, Vector};
 use crate::number::{Integer, Rational};
 
-/// f(x) = Σ c[k] B₃(x₁ − k₁) … B₃(x_N − k_N), k in ℤᴺ, where the boundary rule extends the coefficients. SP-3.
+/// f(x) = Σ c\[k] B₃(x₁ − k₁) … B₃(x_N − k_N), k in ℤᴺ, where the boundary rule extends the coefficients. SP-3.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[doc(alias = "SP-3")]
 pub struct Spline<const N: usize> {
@@ -24,9 +24,9 @@ impl<const N: usize> Spline<N> {
         &self.coefficients
     }
 
-    /// ∂ⁿf at any real point, n[axis] times along each axis: Σ c[k] Π B₃⁽ⁿ⁾(x − k) over 4ᴺ terms. SP-3, SP-137.
+    /// ∂ⁿf at any real point, n\[axis] times along each axis: Σ c\[k] Π B₃⁽ⁿ⁾(x − k) over 4ᴺ terms. SP-3, SP-137.
     ///
-    /// In one variable, at an integer: f′(k) = (c[k+1] − c[k−1])/2, f″(k) = c[k−1] − 2c[k] + c[k+1] (SP-143).
+    /// In one variable, at an integer: f′(k) = (c\[k+1] − c\[k−1])/2, f″(k) = c\[k−1] − 2c\[k] + c\[k+1] (SP-143).
     #[doc(alias = "SP-137")]
     #[doc(alias = "SP-143")]
     ///

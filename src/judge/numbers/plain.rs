@@ -243,7 +243,7 @@ impl Spline {
     }
 }
 
-/// c[k] = Σ √3 z^|k−j| g[j]. SP-4.
+/// c\[k] = Σ √3 z^|k−j| g\[j]. SP-4.
 pub fn bounded_coefficient(samples: &[(i64, f64)], k: i64) -> f64 {
     let power = |n: u64| (0..n).fold(1.0, |power, _| power * pole());
     samples.iter().map(|(j, g)| 3_f64.sqrt() * power(k.abs_diff(*j)) * g).sum()

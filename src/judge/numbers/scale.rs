@@ -30,7 +30,7 @@ fn largest_of(mut numbers: Vec<Real>) -> Option<Real> {
     (index < numbers.len()).then(|| numbers.swap_remove(index))
 }
 
-/// The largest coefficient on all of ℤ stands at a sample: at every other place c[k−1] + 4c[k] + c[k+1] = 0, so that |c[k]| is at most
+/// The largest coefficient on all of ℤ stands at a sample: at every other place c\[k−1] + 4c\[k] + c\[k+1] = 0, so that |c\[k]| is at most
 /// half of its larger neighbour, and beyond the samples they fall by 2 − √3 a step.
 fn largest_coefficient(input: &Value) -> Option<Real> {
     let mut samples = Samples::new();

@@ -1,4 +1,4 @@
-//! Interpolation: the coefficients c with (c[k−1] + 4c[k] + c[k+1])/6 = g[k] at every sample.
+//! Interpolation: the coefficients c with (c\[k−1] + 4c\[k] + c\[k+1])/6 = g\[k] at every sample.
 
 pub mod fast;
 
@@ -28,8 +28,8 @@ pub fn interpolate<const N: usize>(signal: &Signal<N>) -> Spline<N> {
 
 /// The coefficients of a line of n ≥ 2 samples. SP-2.
 ///
-/// The recursion c[k+1] = 6g[k] − 4c[k] − c[k−1] is run from unknown starting values: every c[k] = a + b·p + d·q is affine in
-/// p = c[0] and q = c[1], and what the boundary rule says of the last two fixes p and q. Rounded, this recursion is useless, for it
+/// The recursion c\[k+1] = 6g\[k] − 4c\[k] − c\[k−1] is run from unknown starting values: every c\[k] = a + b·p + d·q is affine in
+/// p = c\[0] and q = c\[1], and what the boundary rule says of the last two fixes p and q. Rounded, this recursion is useless, for it
 /// multiplies errors by 2 + √3 a step; exactly, it is the shortest.
 ///
 /// # Panics

@@ -50,9 +50,9 @@ pub(super) struct Line {
     boundary: Boundary,
     /// What the first row is divided by: 1/4, or (2 − √3)/(1 − zⁿ).
     first: Constant,
-    /// s[k]; the last one stands for all that follow.
+    /// s\[k]; the last one stands for all that follow.
     factors: Vec<Constant>,
-    /// What the last row is divided by: 1/(4 − 2s[n − 2]), or 1/(1 − zⁿ).
+    /// What the last row is divided by: 1/(4 − 2s\[n − 2]), or 1/(1 − zⁿ).
     last: Constant,
 }
 
@@ -132,7 +132,7 @@ impl WithSimd for Scale<'_> {
     }
 }
 
-/// Solves c[k−1] + 4c[k] + c[k+1] = b[k] for each column b. SP-301.
+/// Solves c\[k−1] + 4c\[k] + c\[k+1] = b\[k] for each column b. SP-301.
 pub(super) struct Solve<'a> {
     pub(super) block: &'a mut Block,
     pub(super) line: &'a Line,

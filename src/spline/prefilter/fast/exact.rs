@@ -75,7 +75,7 @@ struct ExactLine {
     n: usize,
     boundary: Boundary,
     denominator: Integer,
-    /// The first two of a sequence with v[j+1] = −4v[j] − v[j−1].
+    /// The first two of a sequence with v\[j+1] = −4v\[j] − v\[j−1].
     row: [Integer; 2],
 }
 
@@ -106,9 +106,9 @@ impl ExactLine {
         }
     }
 
-    /// D·c[k] for the k in `wanted`, which ascend, with their places there.
+    /// D·c\[k] for the k in `wanted`, which ascend, with their places there.
     ///
-    /// D·c[0] is a row of the inverse, and c[k+1] = 6g[k] − 4c[k] − c[k−1] gives all others, without a division.
+    /// D·c\[0] is a row of the inverse, and c\[k+1] = 6g\[k] − 4c\[k] − c\[k−1] gives all others, without a division.
     fn solve(&self, g: &[Integer], wanted: &[usize], mut found: impl FnMut(usize, Integer)) {
         if g.iter().all(Integer::is_zero) {
             return;
