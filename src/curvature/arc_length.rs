@@ -10,17 +10,17 @@ use crate::number::{Algebraic, Integer, Interval, Polynomial, Rational, Ring, re
 /// The order of the series for integrals over an interval.
 const ORDER: usize = 14;
 
-/// ∫ |α′| dt from t₀ to t, with the sign of t − t₀: the length of the curve between them where t ≥ t₀. CU-112.
+/// ∫ |α′| dt from t₀ to t, with the sign of t − t₀: the length of the curve between them where t ≥ t₀. CU-19.
 ///
-/// For a rational curve p/q this is ∫ √(Σ(p′q − pq′)²)/q² dt. CU-113: its derivative by t is |α′|.
+/// For a rational curve p/q this is ∫ √(Σ(p′q − pq′)²)/q² dt. CU-20: its derivative by t is |α′|.
 ///
 /// # Errors
 /// `Pole` iff α has one between the parameters, or at one; `Width` iff the width is ≤ 0.
-#[doc(alias = "CU-112")]
-#[doc(alias = "CU-113")]
-#[doc(alias = "CU-115")]
-#[doc(alias = "CU-119")]
-#[doc(alias = "CU-120")]
+#[doc(alias = "CU-19")]
+#[doc(alias = "CU-20")]
+#[doc(alias = "CU-22")]
+#[doc(alias = "CU-26")]
+#[doc(alias = "CU-27")]
 pub fn arc_length<const D: usize>(
     curve: &RationalCurve<D>,
     [t0, t]: [&Rational; 2],
@@ -43,7 +43,7 @@ pub fn arc_length<const D: usize>(
     Ok(if t0 <= t { length } else { Integral { value: -length.value, ..length } })
 }
 
-/// The length of a trigonometric curve between two angles in turns, t = 2π·turn: ∫ √(x′² + y′²) dt. CU-116, CU-139.
+/// The length of a trigonometric curve between two angles in turns, t = 2π·turn: ∫ √(x′² + y′²) dt. CU-23, CU-49.
 ///
 /// # Errors
 /// `Reversed` iff from > to; `Width` iff the width is ≤ 0.
@@ -64,8 +64,8 @@ pub fn length_of_turns(
     integral(speed, &[(from.clone(), to.clone())], goal)
 }
 
-/// Σ |α(tᵢ₊₁) − α(tᵢ)|: the length of the inscribed polygon, which is no more than the curve's; `None` iff some tᵢ is a pole. CU-158.
-#[doc(alias = "CU-158")]
+/// Σ |α(tᵢ₊₁) − α(tᵢ)|: the length of the inscribed polygon, which is no more than the curve's; `None` iff some tᵢ is a pole. CU-29.
+#[doc(alias = "CU-29")]
 pub fn polygon_length<const D: usize>(
     curve: &RationalCurve<D>,
     parameters: &[Rational],
@@ -80,16 +80,16 @@ pub fn polygon_length<const D: usize>(
 }
 
 /// A polynomial curve whose speed |α′| is the absolute value of a polynomial w: that w, with a positive leading coefficient. `None`
-/// iff there is no such rational polynomial, or α is no polynomial curve. CU-121.
-#[doc(alias = "CU-121")]
+/// iff there is no such rational polynomial, or α is no polynomial curve. CU-28.
+#[doc(alias = "CU-28")]
 pub fn polynomial_speed<const D: usize>(curve: &RationalCurve<D>) -> Option<Polynomial> {
     let is_polynomial = curve.denominator().degree() == Some(0);
     let squared = curve.velocity_numerators().iter().fold(Polynomial::integer(0), |sum, v| sum + &(v.clone() * v));
     if is_polynomial { square_root(&squared) } else { None }
 }
 
-/// ∫ p from t₀: the polynomial with the derivative p that is 0 at t₀. CU-114.
-#[doc(alias = "CU-114")]
+/// ∫ p from t₀: the polynomial with the derivative p that is 0 at t₀. CU-21.
+#[doc(alias = "CU-21")]
 pub fn antiderivative(p: &Polynomial, t0: &Rational) -> Polynomial {
     let terms = p.coefficients().iter().enumerate().map(|(n, a)| Rational::from(a / Integer::from(n + 1)));
     let from_zero = Polynomial::new([Rational::new()].into_iter().chain(terms).collect());
@@ -98,7 +98,7 @@ pub fn antiderivative(p: &Polynomial, t0: &Rational) -> Polynomial {
 }
 
 /// t(s), the inverse of the arc length from t₀: the parameter at which a curve of a polynomial speed without a real zero has gone s; of either
-/// sign. `None` where the speed is no such polynomial. CU-121.
+/// sign. `None` where the speed is no such polynomial. CU-28.
 pub fn parameter_at_length<const D: usize>(curve: &RationalCurve<D>, t0: &Rational, s: &Rational) -> Option<Algebraic> {
     let speed = polynomial_speed(curve)?;
     if !real_roots(&speed)?.is_empty() {

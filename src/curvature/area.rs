@@ -48,21 +48,21 @@ impl RationalSurface {
         })
     }
 
-    /// q⁴E, q⁴F, q⁴G. CU-150.
-    #[doc(alias = "CU-150")]
+    /// q⁴E, q⁴F, q⁴G. CU-122.
+    #[doc(alias = "CU-122")]
     pub fn first_form_numerators(&self) -> [Function; 3] {
         let [u, v] = self.tangent_numerators();
         [u.dot(&u), u.dot(&v), v.dot(&v)]
     }
 
-    /// q⁸(EG − F²). CU-151.
-    #[doc(alias = "CU-151")]
+    /// q⁸(EG − F²). CU-123.
+    #[doc(alias = "CU-123")]
     pub fn w_squared_numerator(&self) -> Function {
         let [e, f, g] = self.first_form_numerators();
         e * &g - &(f.clone() * &f)
     }
 
-    /// q³·(σᵤ × σᵥ) = q·pᵤ × pᵥ − q_v·pᵤ × p − q_u·p × pᵥ: the terms of (pᵤq − pq_u) × (pᵥq − pq_v) have a factor q. CU-151.
+    /// q³·(σᵤ × σᵥ) = q·pᵤ × pᵥ − q_v·pᵤ × p − q_u·p × pᵥ: the terms of (pᵤq − pq_u) × (pᵥq − pq_v) have a factor q. CU-123.
     pub fn normal_numerator(&self) -> Vector<Function, 3> {
         let (p, q) = (Vector(self.numerators.clone()), &self.denominator);
         let [pu, pv] = [0, 1].map(|axis| Vector(self.numerators.each_ref().map(|p| p.derivative(axis))));
@@ -70,15 +70,15 @@ impl RationalSurface {
         pu.cross(&pv).scaled(q) + &-negative
     }
 
-    /// The area of σ over a rectangle of the (u, v)-plane, ∫∫ |σᵤ × σᵥ| du dv; parts that are covered twice count twice. CU-152, CU-154.
+    /// The area of σ over a rectangle of the (u, v)-plane, ∫∫ |σᵤ × σᵥ| du dv; parts that are covered twice count twice. CU-124, CU-126.
     ///
     /// Near a pole nothing is known: its outcome is `Limit`, with infinite bounds.
     ///
     /// # Errors
     /// `Reversed` iff a lower bound is above its upper one; `Width` iff the width is ≤ 0.
-    #[doc(alias = "CU-152")]
-    #[doc(alias = "CU-153")]
-    #[doc(alias = "CU-154")]
+    #[doc(alias = "CU-124")]
+    #[doc(alias = "CU-125")]
+    #[doc(alias = "CU-126")]
     pub fn area(&self, domain: &[(Rational, Rational); 2], goal: &Goal) -> Result<Integral, QuadratureError> {
         let normal = self.normal_numerator();
         let area = |at: &[Series<2, AREA_ORDER>; 2], precision: u32| {
@@ -88,7 +88,7 @@ impl RationalSurface {
         integral(area, domain, goal)
     }
 
-    /// The same by ∫∫ √(EG − F²) du dv. CU-151.
+    /// The same by ∫∫ √(EG − F²) du dv. CU-123.
     ///
     /// # Errors
     /// As [`RationalSurface::area`].
@@ -121,13 +121,13 @@ impl RationalSurface {
         Some((0..n).fold(f, |product, _| product * &inverse))
     }
 
-    /// The length of the curve σ(u(t), v(t)), by ∫ √(Eu′² + 2Fu′v′ + Gv′²) dt. CU-149, CU-150.
+    /// The length of the curve σ(u(t), v(t)), by ∫ √(Eu′² + 2Fu′v′ + Gv′²) dt. CU-121, CU-122.
     ///
     /// Near a pole of σ nothing is known: its outcome is `Limit`, with infinite bounds.
     ///
     /// # Errors
     /// `Pole` iff the path has one; `Reversed` iff from > to; `Width` iff the width is ≤ 0.
-    #[doc(alias = "CU-149")]
+    #[doc(alias = "CU-121")]
     pub fn path_length(
         &self,
         path: &RationalCurve<2>,
@@ -152,7 +152,7 @@ impl RationalSurface {
         integral(speed, &[(from.clone(), to.clone())], goal)
     }
 
-    /// The curve σ(u(t), v(t)). CU-150.
+    /// The curve σ(u(t), v(t)). CU-122.
     ///
     /// # Errors
     /// iff σ has a pole at every point of the path.
@@ -171,7 +171,7 @@ impl RationalSurface {
         RationalCurve::new(self.numerators.each_ref().map(homogeneous), homogeneous(&self.denominator))
     }
 
-    /// σ∘h for polynomials h = (u(a, b), v(a, b)). CU-153.
+    /// σ∘h for polynomials h = (u(a, b), v(a, b)). CU-125.
     ///
     /// # Errors
     /// iff σ has a pole at every point of h.

@@ -7,9 +7,9 @@ use crate::linear::{Matrix, Vector};
 use crate::number::{Multivariate, Rational, Ring};
 use thiserror::Error;
 
-/// A rational patch σ = (x, y, z)/w: three polynomials in (u, v) over a common one. CU-203.
+/// A rational patch σ = (x, y, z)/w: three polynomials in (u, v) over a common one. CU-52.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-203")]
+#[doc(alias = "CU-52")]
 pub struct RationalPatch {
     /// wσ.
     pub numerators: [Multivariate<2>; 3],
@@ -23,9 +23,9 @@ impl RationalPatch {
         RationalPatch { numerators: coordinates, denominator: Multivariate::integer(1) }
     }
 
-    /// The plane p₀ + uw₁ + vw₂ (002, example 2.27). CU-230.
-    #[doc(alias = "CU-230")]
-    #[doc(alias = "CU-269")]
+    /// The plane p₀ + uw₁ + vw₂ (002, example 2.27). CU-77.
+    #[doc(alias = "CU-77")]
+    #[doc(alias = "CU-116")]
     pub fn plane(through: &Vector<Rational, 3>, [w1, w2]: [&Vector<Rational, 3>; 2]) -> RationalPatch {
         let coordinate = |i: usize| {
             Multivariate::new([([0, 0], through[i].clone()), ([1, 0], w1[i].clone()), ([0, 1], w2[i].clone())])
@@ -33,14 +33,14 @@ impl RationalPatch {
         RationalPatch::polynomial(std::array::from_fn(coordinate))
     }
 
-    /// The graph z = f(x, y) (002, exercise 2.16). CU-207.
-    #[doc(alias = "CU-207")]
+    /// The graph z = f(x, y) (002, exercise 2.16). CU-56.
+    #[doc(alias = "CU-56")]
     pub fn graph(f: Multivariate<2>) -> RationalPatch {
         RationalPatch::polynomial([Multivariate::variable(0), Multivariate::variable(1), f])
     }
 
     /// The sphere of that radius by stereographic projection from its north pole: (2u, 2v, u² + v² − 1)r/(u² + v² + 1).
-    /// It reaches every point but the pole, and no parametrisation reaches all of them. CU-232.
+    /// It reaches every point but the pole, and no parametrisation reaches all of them. CU-79.
     pub fn sphere(radius: &Rational) -> RationalPatch {
         let term = |exponents: [u32; 2], n: i32| (exponents, Rational::from(radius * n));
         let numerators = [
@@ -64,21 +64,21 @@ impl RationalPatch {
         Ok(self.numerators.each_ref().map(|numerator| Jet::of_polynomial(numerator, at) * &reciprocal))
     }
 
-    /// Whether dσ is injective at (u, v), by the tangent vectors: the third condition of a regular surface. CU-202.
+    /// Whether dσ is injective at (u, v), by the tangent vectors: the third condition of a regular surface. CU-51.
     ///
     /// # Errors
     /// `Pole` iff w = 0 there, `Singular` iff dσ is not injective.
-    #[doc(alias = "CU-202")]
+    #[doc(alias = "CU-51")]
     pub fn tangent_plane(&self, at: &[Rational; 2]) -> Result<TangentPlane, SurfaceError> {
         TangentPlane::new(&self.jets(at)?)
     }
 }
 
 /// The plane ax + by + cz = d as a graph over the two axes that are left when the last one with a coefficient ≠ 0 is
-/// dropped; over x and y, as z = Ax + By + C, iff c ≠ 0 (002, example 2.15). CU-206.
+/// dropped; over x and y, as z = Ax + By + C, iff c ≠ 0 (002, example 2.15). CU-55.
 ///
 /// `None` iff a = b = c = 0.
-#[doc(alias = "CU-206")]
+#[doc(alias = "CU-55")]
 pub fn plane_as_graph(coefficients: &[Rational; 3], d: &Rational) -> Option<RationalPatch> {
     let dropped = coefficients.iter().rposition(|x| !x.is_zero())?;
     let kept: Vec<usize> = (0..3).filter(|&axis| axis != dropped).collect();
@@ -94,13 +94,13 @@ pub fn plane_as_graph(coefficients: &[Rational; 3], d: &Rational) -> Option<Rati
     })))
 }
 
-/// f∘h by the chain rule, from f's jet at h's value. CU-211.
+/// f∘h by the chain rule, from f's jet at h's value. CU-60.
 ///
 /// ∂ᵢ(f∘h) = Σ ∂ₐf·∂ᵢhₐ and ∂ᵢ∂ⱼ(f∘h) = Σ ∂ₐf·∂ᵢ∂ⱼhₐ + Σ ∂ₐ∂ᵦf·∂ᵢhₐ·∂ⱼhᵦ.
-#[doc(alias = "CU-211")]
-#[doc(alias = "CU-210")]
-#[doc(alias = "CU-216")]
-#[doc(alias = "CU-240")]
+#[doc(alias = "CU-60")]
+#[doc(alias = "CU-59")]
+#[doc(alias = "CU-65")]
+#[doc(alias = "CU-87")]
 pub fn composition<K: Ring, const N: usize, const M: usize>(f: &Jet<K, N>, h: &[Jet<K, M>; N]) -> Jet<K, M> {
     let zero = || K::integer(0);
     let first = |i: usize| (0..N).fold(zero(), |sum, a| sum + &(f.gradient[a].clone() * &h[a].gradient[i]));
@@ -133,15 +133,15 @@ pub enum ChangeError {
 }
 
 /// The change of parameters h = σ⁻¹∘τ to second order at a common point, from the jets of σ and τ there; `at` is where
-/// σ is taken. CU-209.
+/// σ is taken. CU-58.
 ///
 /// τᵢ = Σ ∂ᵢhₐ σₐ gives ∂h, and τᵢⱼ − Σ ∂ᵢhₐ ∂ⱼhᵦ σₐᵦ = Σ ∂ᵢ∂ⱼhₐ σₐ gives ∂∂h. Both parametrise one surface to second
 /// order iff the left sides are tangent; h is then invertible, with det ∂h ≠ 0.
 ///
 /// # Errors
 /// `Surface` iff one of them is singular, else the first order in which they differ.
-#[doc(alias = "CU-209")]
-#[doc(alias = "CU-205")]
+#[doc(alias = "CU-58")]
+#[doc(alias = "CU-54")]
 pub fn change_of_parameters(
     at: &[Rational; 2],
     sigma: &[Jet<Rational, 2>; 3],
@@ -173,15 +173,15 @@ pub fn change_of_parameters(
 }
 
 /// The map (x, y, z) ↦ (ax, by, cz) of the text's example 2.21, which takes the unit sphere to the ellipsoid with
-/// those half-axes. CU-214.
-#[doc(alias = "CU-214")]
-#[doc(alias = "CU-285")]
+/// those half-axes. CU-63.
+#[doc(alias = "CU-63")]
+#[doc(alias = "CU-231")]
 pub fn scaled_axes<K: Ring>(point: &[K; 3], axes: &[K; 3]) -> [K; 3] {
     std::array::from_fn(|i| point[i].clone() * &axes[i])
 }
 
-/// |p − p₀|² (002, example 2.19). CU-212.
-#[doc(alias = "CU-212")]
+/// |p − p₀|² (002, example 2.19). CU-61.
+#[doc(alias = "CU-61")]
 pub fn distance_squared<K: Ring>(point: &[K; 3], from: &[K; 3]) -> K {
     (Vector(point.clone()) - &Vector(from.clone())).norm_squared()
 }

@@ -4,13 +4,13 @@ use super::rational_curve::Period;
 use crate::number::{Multivariate, Polynomial, Rational, Ring};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A polynomial in c = cos t, s = sin t, and N − 2 constants, of degree at most 1 in c. CU-110.
+/// A polynomial in c = cos t, s = sin t, and N − 2 constants, of degree at most 1 in c. CU-17.
 ///
 /// Two are equal iff they are the same function of t and the constants: c² + s² − 1 divides every polynomial that is 0 on the circle.
 /// So an identity here is one for all t.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-110")]
-#[doc(alias = "CU-139")]
+#[doc(alias = "CU-17")]
+#[doc(alias = "CU-49")]
 pub struct CirclePolynomial<const N: usize>(Multivariate<N>);
 
 impl<const N: usize> CirclePolynomial<N> {
@@ -36,8 +36,8 @@ impl<const N: usize> CirclePolynomial<N> {
         &self.0
     }
 
-    /// d/dt: −s·∂f/∂c + c·∂f/∂s. CU-116.
-    #[doc(alias = "CU-116")]
+    /// d/dt: −s·∂f/∂c + c·∂f/∂s. CU-23.
+    #[doc(alias = "CU-23")]
     pub fn derivative(&self) -> CirclePolynomial<N> {
         let (c, s) = (Multivariate::<N>::variable(0), Multivariate::<N>::variable(1));
         CirclePolynomial::new(&(self.0.derivative(1) * &c - &(self.0.derivative(0) * &s)))
@@ -70,8 +70,8 @@ impl<const N: usize> CirclePolynomial<N> {
 }
 
 impl CirclePolynomial<2> {
-    /// The k ≥ 0 for which cos kt or sin kt is in the Fourier series. CU-134.
-    #[doc(alias = "CU-134")]
+    /// The k ≥ 0 for which cos kt or sin kt is in the Fourier series. CU-44.
+    #[doc(alias = "CU-44")]
     pub fn harmonics(&self) -> Vec<usize> {
         // With z = e^(it), c = (z² + 1)/2z and s = (z² − 1)/2iz; i^j is real for even j, so the two sums do not meet.
         let power = |sign: i64, n: u32| {
@@ -95,7 +95,7 @@ impl CirclePolynomial<2> {
 }
 
 /// The least ρ > 0 with α(t + ρ) = α(t) for all t, α being these functions of ωt: 2π/(|ω|g), g the greatest common divisor of the
-/// harmonics. CU-104, CU-134.
+/// harmonics. CU-11, CU-44.
 pub fn least_period(curve: &[CirclePolynomial<2>; 2], frequency: &Rational) -> Period {
     let gcd = |a: usize, b: usize| {
         let (mut a, mut b) = (a, b);

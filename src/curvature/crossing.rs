@@ -3,9 +3,9 @@
 use super::rational_curve::RationalCurve;
 use crate::number::{Algebraic, Integer, Polynomial, Rational, Ring, Sign, real_roots};
 
-/// The parameters that share their point with another one. CU-160.
+/// The parameters that share their point with another one. CU-31.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-160")]
+#[doc(alias = "CU-31")]
 pub enum Crossings {
     /// The parameters of each point passed more than once, in increasing order; none: the curve is simple.
     At(Vec<Vec<Algebraic>>),
@@ -35,7 +35,7 @@ fn divided_difference(f: &Polynomial, g: &Polynomial) -> Vec<Polynomial> {
 }
 
 /// The resultant of two polynomials whose coefficients are polynomials, the constant first, the last one not 0: 0 where they
-/// have a common root, or where both leading coefficients are 0. CU-160.
+/// have a common root, or where both leading coefficients are 0. CU-31.
 pub fn resultant(a: &[Polynomial], b: &[Polynomial]) -> Polynomial {
     let (Some(m), Some(n)) = (a.len().checked_sub(1), b.len().checked_sub(1)) else {
         // The roots common with 0 are all roots: none, of a constant.
@@ -71,16 +71,16 @@ fn determinant(mut rows: Vec<Vec<Polynomial>>) -> Polynomial {
     if is_odd { -last } else { last }
 }
 
-/// A polynomial that is 0 at each t that shares its point with another s, real or complex, and at each singular t. CU-160.
+/// A polynomial that is 0 at each t that shares its point with another s, real or complex, and at each singular t. CU-31.
 pub fn crossing_polynomial(curve: &RationalCurve<2>) -> Polynomial {
     let [x, y] = curve.numerators().each_ref().map(|p| divided_difference(p, curve.denominator()));
     resultant(&x, &y)
 }
 
 /// The points that the curve passes more than once, over all real parameters but poles: with none, it is simple, so injective.
-/// CU-105, CU-160.
-#[doc(alias = "CU-105")]
-#[doc(alias = "CU-109")]
+/// CU-12, CU-31.
+#[doc(alias = "CU-12")]
+#[doc(alias = "CU-16")]
 pub fn crossings(curve: &RationalCurve<2>) -> Crossings {
     let common = crossing_polynomial(curve);
     let Some(roots) = real_roots(&common) else { return Crossings::CommonFactor };

@@ -7,7 +7,7 @@ use super::quadrature::{Goal, Integral, QuadratureError};
 use super::rational_curve::RationalCurve;
 use crate::number::{Rational, Surd};
 
-/// The printed κ of (5), −(f_xx f_x² − 2f_xy f_x f_y + f_yy f_y²)/|∇f|³: f_x² and f_y² have changed places. CU-144.
+/// The printed κ of (5), −(f_xx f_x² − 2f_xy f_x f_y + f_yy f_y²)/|∇f|³: f_x² and f_y² have changed places. CU-134.
 ///
 /// # Errors
 /// iff ∇f = 0.
@@ -15,7 +15,7 @@ pub fn level_kappa_printed(jet: &Jet<Rational, 2>) -> Result<Surd, SingularPoint
     printed_kappa(jet, -1)
 }
 
-/// The other reading of the printed line, with the minus before the first term alone: (−f_xx f_x² − 2f_xy f_x f_y + f_yy f_y²)/|∇f|³. CU-144.
+/// The other reading of the printed line, with the minus before the first term alone: (−f_xx f_x² − 2f_xy f_x f_y + f_yy f_y²)/|∇f|³. CU-134.
 ///
 /// # Errors
 /// iff ∇f = 0.
@@ -37,29 +37,29 @@ fn printed_kappa(jet: &Jet<Rational, 2>, others: i32) -> Result<Surd, SingularPo
     Ok(Surd::new(Rational::new(), factor, &w).expect("a sum of squares is not negative"))
 }
 
-/// The printed κ = 1/r of the circle x² + y² − r² (exercise 3.4), r > 0. CU-146.
+/// The printed κ = 1/r of the circle x² + y² − r² (exercise 3.4), r > 0. CU-136.
 pub fn circle_kappa_printed(r: &Rational) -> Rational {
     Rational::from(r.recip_ref())
 }
 
-/// The printed arc length s(t) = rt of α(t) = c + r(cos t/r, sin t/r) (example 2.11). CU-135.
+/// The printed arc length s(t) = rt of α(t) = c + r(cos t/r, sin t/r) (example 2.11). CU-45.
 pub fn circle_arc_length_printed(r: &Rational, t: &Rational) -> Rational {
     Rational::from(r * t)
 }
 
-/// The arc length of α(t) = c + r(cos t/r, sin t/r) from 0: |α′| = 1, so that s(t) = t. CU-135.
-#[doc(alias = "CU-135")]
-#[doc(alias = "CU-136")]
+/// The arc length of α(t) = c + r(cos t/r, sin t/r) from 0: |α′| = 1, so that s(t) = t. CU-45.
+#[doc(alias = "CU-45")]
+#[doc(alias = "CU-46")]
 pub fn circle_arc_length(t: &Rational) -> Rational {
     t.clone()
 }
 
-/// The curvature that the text reads from an osculating circle, "o inverso do raio", as its square: 1/R². The sign is not in it. CU-132.
+/// The curvature that the text reads from an osculating circle, "o inverso do raio", as its square: 1/R². The sign is not in it. CU-42.
 pub fn inverse_radius_squared_printed(radius_squared: &Rational) -> Rational {
     Rational::from(radius_squared.recip_ref())
 }
 
-/// The printed length of a curve on a surface, s(t) = ∫₀ᵗ ‖α′(t)‖ dt: from 0, whether or not the curve is defined there. CU-149.
+/// The printed length of a curve on a surface, s(t) = ∫₀ᵗ ‖α′(t)‖ dt: from 0, whether or not the curve is defined there. CU-121.
 ///
 /// # Errors
 /// As [`RationalSurface::path_length`]: `Pole` where the path has one between 0 and t.
@@ -73,7 +73,7 @@ pub fn path_length_printed(
 }
 
 /// The printed domain [0, 2π] of α(t) = c + r(cos t/r, sin t/r) (example 2.11): the number of times it runs around the circle. It is 1 iff r = 1.
-/// CU-134.
+/// CU-44.
 pub fn circle_turns_printed(r: &Rational) -> Rational {
     Rational::from(r.recip_ref())
 }

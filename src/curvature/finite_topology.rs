@@ -81,39 +81,39 @@ impl FiniteSpace {
     }
 
     /// Every decomposition X = A ∪ B with A ∩ B = ∅ and A, B open in X, for a subset X of the space: A = U ∩ X with an
-    /// open U. CU-276. The trivial ones, with A or B empty, are among them; (A, B) and (B, A) are two.
-    #[doc(alias = "CU-276")]
+    /// open U. CU-222. The trivial ones, with A or B empty, are among them; (A, B) and (B, A) are two.
+    #[doc(alias = "CU-222")]
     pub fn splittings(&self, subset: Points) -> Vec<[Points; 2]> {
         let open: BTreeSet<Points> = self.open.iter().map(|u| u & subset).collect();
         open.iter().filter(|a| open.contains(&(subset & !**a))).map(|a| [*a, subset & !a]).collect()
     }
 
-    /// Whether a subset has no splitting but trivial ones; so ∅ is connected. CU-277.
-    #[doc(alias = "CU-277")]
+    /// Whether a subset has no splitting but trivial ones; so ∅ is connected. CU-223.
+    #[doc(alias = "CU-223")]
     pub fn is_connected(&self, subset: Points) -> bool {
         self.splittings(subset).iter().all(|[a, b]| *a == 0 || *b == 0)
     }
 
-    /// The union of all connected sets between {x} and the subset: ∅ iff x is not in the subset. CU-278.
-    #[doc(alias = "CU-278")]
+    /// The union of all connected sets between {x} and the subset: ∅ iff x is not in the subset. CU-224.
+    #[doc(alias = "CU-224")]
     pub fn component(&self, x: u32, subset: Points) -> Points {
         let has_x = |set: Points| x < Points::BITS && set >> x & 1 == 1;
         subsets(subset).filter(|set| has_x(*set) && self.is_connected(*set)).fold(0, |union, set| union | set)
     }
 
     /// Whether a map, by the images of the points, is continuous: the preimage of every open set of the *target* is
-    /// open. CU-284.
+    /// open. CU-230.
     ///
     /// # Panics
     /// Iff the map has not one image, a point of the target, for each point.
-    #[doc(alias = "CU-284")]
+    #[doc(alias = "CU-230")]
     pub fn is_continuous(&self, map: &[u32], target: &FiniteSpace) -> bool {
         assert!(map.len() == self.points as usize && map.iter().all(|y| *y < target.points), "a map into the target");
         target.open.iter().all(|u| self.open.contains(&preimage(map, *u)))
     }
 
     /// The same as the text prints it, with the open sets U of the *domain*, whose numbers are read as points of the
-    /// target. CU-284.
+    /// target. CU-230.
     ///
     /// # Panics
     /// Iff the map has not one image for each point.
@@ -122,11 +122,11 @@ impl FiniteSpace {
         self.open.iter().all(|u| self.open.contains(&preimage(map, *u)))
     }
 
-    /// Whether a map is a homeomorphism: bijective, continuous, its inverse continuous. CU-222.
+    /// Whether a map is a homeomorphism: bijective, continuous, its inverse continuous. CU-219.
     ///
     /// # Panics
     /// As [`FiniteSpace::is_continuous`].
-    #[doc(alias = "CU-222")]
+    #[doc(alias = "CU-219")]
     pub fn is_homeomorphism(&self, map: &[u32], target: &FiniteSpace) -> bool {
         let inverse: Option<Vec<u32>> = (0..target.points)
             .map(|y| map.iter().position(|image| *image == y).and_then(|x| u32::try_from(x).ok()))

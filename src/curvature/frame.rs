@@ -8,9 +8,9 @@ use crate::linear::Vector;
 use crate::number::{Polynomial, Rational, Surd};
 use thiserror::Error;
 
-/// J: by +90°. CU-122.
-#[doc(alias = "CU-122")]
-#[doc(alias = "CU-123")]
+/// J: by +90°. CU-32.
+#[doc(alias = "CU-32")]
+#[doc(alias = "CU-33")]
 pub fn quarter_turn(Vector([x, y]): &Vector<Rational, 2>) -> Vector<Rational, 2> {
     Vector([-y.clone(), x.clone()])
 }
@@ -45,13 +45,13 @@ impl Frame {
         self.velocity.norm_squared()
     }
 
-    /// t = α′/|α′|, in ℚ(√|α′|²). CU-106.
-    #[doc(alias = "CU-106")]
+    /// t = α′/|α′|, in ℚ(√|α′|²). CU-13.
+    #[doc(alias = "CU-13")]
     pub fn tangent(&self) -> Vector<Surd, 2> {
         self.unit(&self.velocity)
     }
 
-    /// n = Jt. CU-122.
+    /// n = Jt. CU-32.
     pub fn normal(&self) -> Vector<Surd, 2> {
         self.unit(&quarter_turn(&self.velocity))
     }
@@ -63,20 +63,20 @@ impl Frame {
         v.map(|x| over_root(x).expect("a sum of squares is not negative"))
     }
 
-    /// κ = det(α′, α″)/|α′|³, in ℚ(√|α′|²). CU-137, CU-129.
-    #[doc(alias = "CU-137")]
-    #[doc(alias = "CU-138")]
-    #[doc(alias = "CU-125")]
-    #[doc(alias = "CU-129")]
+    /// κ = det(α′, α″)/|α′|³, in ℚ(√|α′|²). CU-47, CU-39.
+    #[doc(alias = "CU-47")]
+    #[doc(alias = "CU-48")]
+    #[doc(alias = "CU-35")]
+    #[doc(alias = "CU-39")]
     pub fn kappa(&self) -> Surd {
         let w = self.speed_squared();
         let factor = Rational::from(&self.determinant / &w) / &w;
         Surd::new(Rational::new(), factor, &w).expect("a sum of squares is not negative")
     }
 
-    /// d²α/ds² = dt/ds = (α″ − ⟨α″, t⟩t)/|α′|², by the quotient rule. CU-124, CU-126, CU-127.
-    #[doc(alias = "CU-124")]
-    #[doc(alias = "CU-127")]
+    /// d²α/ds² = dt/ds = (α″ − ⟨α″, t⟩t)/|α′|², by the quotient rule. CU-34, CU-36, CU-37.
+    #[doc(alias = "CU-34")]
+    #[doc(alias = "CU-37")]
     pub fn tangent_derivative(&self) -> Vector<Rational, 2> {
         let w = self.speed_squared();
         let along = self.velocity.dot(&self.acceleration) / &w;
@@ -84,21 +84,21 @@ impl Frame {
         across.map(|x| Rational::from(x / &w))
     }
 
-    /// κn = det(α′, α″)Jα′/|α′|⁴, to which dt/ds is equal (Frenet). CU-126.
-    #[doc(alias = "CU-126")]
+    /// κn = det(α′, α″)Jα′/|α′|⁴, to which dt/ds is equal (Frenet). CU-36.
+    #[doc(alias = "CU-36")]
     pub fn kappa_normal(&self) -> Vector<Rational, 2> {
         let w = self.speed_squared();
         quarter_turn(&self.velocity).map(|x| Rational::from(x * &self.determinant) / &w / &w)
     }
 
-    /// −κt = −det(α′, α″)α′/|α′|⁴, to which dn/ds is equal (Frenet). CU-126.
+    /// −κt = −det(α′, α″)α′/|α′|⁴, to which dn/ds is equal (Frenet). CU-36.
     pub fn minus_kappa_tangent(&self) -> Vector<Rational, 2> {
         let w = self.speed_squared();
         self.velocity.map(|x| -(Rational::from(x * &self.determinant) / &w / &w))
     }
 
-    /// ⟨α″, Jα′⟩: det(α′, α″) for every curve, and κ for one of unit speed. CU-128.
-    #[doc(alias = "CU-128")]
+    /// ⟨α″, Jα′⟩: det(α′, α″) for every curve, and κ for one of unit speed. CU-38.
+    #[doc(alias = "CU-38")]
     pub fn acceleration_across(&self) -> Rational {
         self.acceleration.dot(&quarter_turn(&self.velocity))
     }
@@ -124,13 +124,13 @@ pub enum OsculationError {
     Flat,
 }
 
-/// The circle that meets the curve at t to the second order at least: c = α + (|α′|²/det(α′, α″))Jα′, R² = |α′|⁶/det(α′, α″)². CU-131.
+/// The circle that meets the curve at t to the second order at least: c = α + (|α′|²/det(α′, α″))Jα′, R² = |α′|⁶/det(α′, α″)². CU-41.
 ///
 /// # Errors
 /// `Curve` iff α has a pole at t or α′ = 0; `Flat` iff κ = 0.
-#[doc(alias = "CU-131")]
-#[doc(alias = "CU-132")]
-#[doc(alias = "CU-133")]
+#[doc(alias = "CU-41")]
+#[doc(alias = "CU-42")]
+#[doc(alias = "CU-43")]
 pub fn osculating_circle(curve: &RationalCurve<2>, t: &Rational) -> Result<Circle, OsculationError> {
     let jets = curve.jets(t).ok_or(CurveError::Pole)?;
     let frame = Frame::new(&jets)?;
@@ -145,7 +145,7 @@ pub fn osculating_circle(curve: &RationalCurve<2>, t: &Rational) -> Result<Circl
 }
 
 /// How often a curve meets a circle at t: the multiplicity of the root t of |α − c|² − R², the order of contact and 1; 0 off the circle.
-/// `None` where the curve lies on the circle throughout, or has a pole at t. CU-131.
+/// `None` where the curve lies on the circle throughout, or has a pole at t. CU-41.
 pub fn contact(curve: &RationalCurve<2>, circle: &Circle, t: &Rational) -> Option<usize> {
     curve.point(t)?;
     let constant = |x: &Rational| Polynomial::new(vec![x.clone()]);
@@ -157,11 +157,11 @@ pub fn contact(curve: &RationalCurve<2>, circle: &Circle, t: &Rational) -> Optio
 }
 
 /// How often a curve meets its tangent at t, as [`contact`]; `None` where it lies on the tangent throughout. It is 2 where κ ≠ 0, more where
-/// κ = 0, and the curve crosses its tangent iff it is odd: at an inflection. CU-130.
+/// κ = 0, and the curve crosses its tangent iff it is odd: at an inflection. CU-40.
 ///
 /// # Errors
 /// iff α has a pole at t or α′ = 0.
-#[doc(alias = "CU-130")]
+#[doc(alias = "CU-40")]
 pub fn tangent_contact(curve: &RationalCurve<2>, t: &Rational) -> Result<Option<usize>, CurveError> {
     let jets = curve.jets(t).ok_or(CurveError::Pole)?;
     let Vector([a, b]) = quarter_turn(&Frame::new(&jets)?.velocity);

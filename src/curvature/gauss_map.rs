@@ -10,7 +10,7 @@ use crate::number::{OrderedField, Rational, Ring, Sign, Surd};
 
 /// The Gauss map to first order at a regular point.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-279")]
+#[doc(alias = "CU-225")]
 pub struct GaussMap {
     /// W N = σᵤ × σᵥ.
     pub normal_w: Vector<Rational, 3>,
@@ -19,12 +19,12 @@ pub struct GaussMap {
 }
 
 impl GaussMap {
-    /// By the quotient rule: with n = σᵤ × σᵥ and W² = ⟨n, n⟩, W Nᵤ = nᵤ − n⟨n, nᵤ⟩/W². CU-233, CU-234.
+    /// By the quotient rule: with n = σᵤ × σᵥ and W² = ⟨n, n⟩, W Nᵤ = nᵤ − n⟨n, nᵤ⟩/W². CU-80, CU-81.
     ///
     /// # Errors
     /// `Singular` iff σᵤ × σᵥ = 0.
-    #[doc(alias = "CU-234")]
-    #[doc(alias = "CU-235")]
+    #[doc(alias = "CU-81")]
+    #[doc(alias = "CU-82")]
     pub fn new(surface: &[Jet<Rational, 2>; 3]) -> Result<GaussMap, SurfaceError> {
         let first = |i: usize| Vector(surface.each_ref().map(|x| x.gradient[i].clone()));
         let second = |i: usize, j: usize| Vector(surface.each_ref().map(|x| x.hessian.0[i][j].clone()));
@@ -41,8 +41,8 @@ impl GaussMap {
         Ok(GaussMap { derivatives_w: [derivative(0), derivative(1)], normal_w: n })
     }
 
-    /// N = (σᵤ × σᵥ)/W, a unit vector in ℚ(√W²). CU-233.
-    #[doc(alias = "CU-233")]
+    /// N = (σᵤ × σᵥ)/W, a unit vector in ℚ(√W²). CU-80.
+    #[doc(alias = "CU-80")]
     pub fn normal(&self) -> Vector<Surd, 3> {
         let w_squared = self.normal_w.norm_squared();
         self.normal_w.map(|x| {
@@ -50,8 +50,8 @@ impl GaussMap {
         })
     }
 
-    /// W dN(w) for w = aσᵤ + bσᵥ: W(aNᵤ + bNᵥ), the derivative of N along every curve with the velocity w. CU-241.
-    #[doc(alias = "CU-241")]
+    /// W dN(w) for w = aσᵤ + bσᵥ: W(aNᵤ + bNᵥ), the derivative of N along every curve with the velocity w. CU-88.
+    #[doc(alias = "CU-88")]
     pub fn differential_w(&self, [a, b]: &[Rational; 2]) -> Vector<Rational, 3> {
         let [u, v] = &self.derivatives_w;
         u.scaled(a) + &v.scaled(b)
@@ -59,7 +59,7 @@ impl GaussMap {
 }
 
 /// What −dN does, from both fundamental forms, at a regular point. It is that of the surface: another parametrisation
-/// changes its matrix by ∂h, and its sign with that of det ∂h. CU-210.
+/// changes its matrix by ∂h, and its sign with that of det ∂h. CU-59.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ShapeOperator {
     first: Matrix<Rational, 2, 2>,
@@ -69,7 +69,7 @@ pub struct ShapeOperator {
 
 /// The principal directions.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-250")]
+#[doc(alias = "CU-97")]
 pub enum PrincipalDirections {
     /// k₁ = k₂: every direction is principal.
     Umbilic {
@@ -100,49 +100,49 @@ impl ShapeOperator {
     }
 
     /// The matrix of −W dN in the basis {σᵤ, σᵥ}, its columns the coordinates of the images: (E F; F G)⁻¹ W(e f; f g).
-    /// dN is self-adjoint: the products ⟨dN σᵢ, σⱼ⟩ are symmetric, though this matrix need not be. CU-236.
-    #[doc(alias = "CU-236")]
+    /// dN is self-adjoint: the products ⟨dN σᵢ, σⱼ⟩ are symmetric, though this matrix need not be. CU-83.
+    #[doc(alias = "CU-83")]
     pub fn matrix_w(&self) -> Matrix<Rational, 2, 2> {
         inverse(&self.first).expect("EG − F² > 0").times(&self.second_w)
     }
 
-    /// K = det dN = det(−dN). CU-237.
-    #[doc(alias = "CU-237")]
+    /// K = det dN = det(−dN). CU-84.
+    #[doc(alias = "CU-84")]
     pub fn gaussian(&self) -> Rational {
         determinant2(&self.matrix_w()) / determinant2(&self.first)
     }
 
-    /// WH = −½ tr(W dN). CU-238.
-    #[doc(alias = "CU-238")]
+    /// WH = −½ tr(W dN). CU-85.
+    #[doc(alias = "CU-85")]
     pub fn mean_w(&self) -> Rational {
         let Matrix([[a, _], [_, d]]) = self.matrix_w();
         (a + d) / 2_u32
     }
 
-    /// W II_p(w) = −⟨W dN(w), w⟩ = W(ea² + 2fab + gb²) for w = aσᵤ + bσᵥ: a quadratic form on T_pS. CU-239, CU-242.
-    #[doc(alias = "CU-239")]
-    #[doc(alias = "CU-242")]
-    #[doc(alias = "CU-247")]
+    /// W II_p(w) = −⟨W dN(w), w⟩ = W(ea² + 2fab + gb²) for w = aσᵤ + bσᵥ: a quadratic form on T_pS. CU-86, CU-89.
+    #[doc(alias = "CU-86")]
+    #[doc(alias = "CU-89")]
+    #[doc(alias = "CU-94")]
     pub fn second_form_w(&self, w: &[Rational; 2]) -> Rational {
         quadratic(&self.second_w, w, Rational::clone)
     }
 
     /// Wκₙ = W II_p(w)/I_p(w), the normal curvature of every curve on the surface with the tangent w (Meusnier).
-    /// CU-248.
+    /// CU-95.
     ///
     /// `None` iff w = 0.
-    #[doc(alias = "CU-248")]
-    #[doc(alias = "CU-255")]
+    #[doc(alias = "CU-95")]
+    #[doc(alias = "CU-102")]
     pub fn normal_curvature_w(&self, w: &[Rational; 2]) -> Option<Rational> {
         let length = quadratic(&self.first, w, Rational::clone);
         (!length.is_zero()).then(|| self.second_form_w(w) / length)
     }
 
-    /// The eigenvectors of −dN, the larger eigenvalue first. CU-249, CU-251, CU-252.
-    #[doc(alias = "CU-249")]
-    #[doc(alias = "CU-251")]
-    #[doc(alias = "CU-252")]
-    #[doc(alias = "CU-253")]
+    /// The eigenvectors of −dN, the larger eigenvalue first. CU-96, CU-98, CU-99.
+    #[doc(alias = "CU-96")]
+    #[doc(alias = "CU-98")]
+    #[doc(alias = "CU-99")]
+    #[doc(alias = "CU-100")]
     pub fn principal_directions(&self) -> PrincipalDirections {
         let Matrix([[a, b], [c, d]]) = self.matrix_w();
         let half_trace = Rational::from(&a + &d) / 2_u32;
@@ -179,7 +179,7 @@ impl ShapeOperator {
     ///
     /// # Panics
     /// Iff the coordinates lie in different fields.
-    #[doc(alias = "CU-254")]
+    #[doc(alias = "CU-101")]
     pub fn second_form_of_surds_w(&self, x: &[Surd; 2]) -> Surd {
         bilinear(&self.second_w, x, x, |q| Surd::from(q.clone()))
     }
@@ -207,12 +207,12 @@ pub struct CurveOnSurface {
 }
 
 impl CurveOnSurface {
-    /// κn = (α″|α′|² − α′⟨α′, α″⟩)/|α′|⁴ for any parameter t, and κₙ = κ⟨n, N⟩, which is 0 where κ = 0. CU-244, CU-245.
+    /// κn = (α″|α′|² − α′⟨α′, α″⟩)/|α′|⁴ for any parameter t, and κₙ = κ⟨n, N⟩, which is 0 where κ = 0. CU-91, CU-92.
     ///
     /// `None` iff α′ = 0.
-    #[doc(alias = "CU-244")]
-    #[doc(alias = "CU-245")]
-    #[doc(alias = "CU-246")]
+    #[doc(alias = "CU-91")]
+    #[doc(alias = "CU-92")]
+    #[doc(alias = "CU-93")]
     pub fn new(curve: &[Jet<Rational, 1>; 3], normal_w: &Vector<Rational, 3>) -> Option<CurveOnSurface> {
         let velocity = Vector(curve.each_ref().map(|x| x.gradient[0].clone()));
         let second = Vector(curve.each_ref().map(|x| x.hessian.0[0][0].clone()));

@@ -40,12 +40,12 @@ pub struct CurveElements {
     pub kappa: Surd,
 }
 
-/// g_x = −f_x/f_y and g_xx = −f_xx/f_y + 2f_xy f_x/f_y² − f_yy f_x²/f_y³, for the level curve as y = g(x); with x and y exchanged for x = g(y). CU-142.
+/// g_x = −f_x/f_y and g_xx = −f_xx/f_y + 2f_xy f_x/f_y² − f_yy f_x²/f_y³, for the level curve as y = g(x); with x and y exchanged for x = g(y). CU-132.
 ///
 /// # Errors
 /// iff f_y = 0, or f_x for the other axis: the theorem promises no graph.
-#[doc(alias = "CU-140")]
-#[doc(alias = "CU-142")]
+#[doc(alias = "CU-130")]
+#[doc(alias = "CU-132")]
 pub fn graph(jet: &Jet<Rational, 2>, over: Axis) -> Result<Graph, NoGraph> {
     let ([fx, fy], [[fxx, fxy], [_, fyy]]) = (&jet.gradient.0, &jet.hessian.0);
     let (fx, fy, fxx, fyy) = match over {
@@ -62,9 +62,9 @@ pub fn graph(jet: &Jet<Rational, 2>, over: Axis) -> Result<Graph, NoGraph> {
 
 impl Graph {
     /// t = (1, g_x)/√(1 + g_x²), n = (−g_x, 1)/√(1 + g_x²), κ = g_xx/√(1 + g_x²)³: of the graph over x, run through in the direction of
-    /// growing x. CU-141.
-    #[doc(alias = "CU-141")]
-    #[doc(alias = "CU-145")]
+    /// growing x. CU-131.
+    #[doc(alias = "CU-131")]
+    #[doc(alias = "CU-135")]
     pub fn elements(&self) -> CurveElements {
         let w = Rational::from(self.slope.square_ref()) + 1_u32;
         let one = Rational::from(1);
@@ -81,17 +81,17 @@ fn over_root(x: &Rational, w: &Rational) -> Surd {
     Surd::new(Rational::new(), Rational::from(x / w), w).expect("w is a sum of squares")
 }
 
-/// t = (f_y, −f_x)/|∇f|, n = (f_x, f_y)/|∇f|, κ = −(f_xx f_y² − 2f_xy f_x f_y + f_yy f_x²)/|∇f|³. CU-143, CU-144.
+/// t = (f_y, −f_x)/|∇f|, n = (f_x, f_y)/|∇f|, κ = −(f_xx f_y² − 2f_xy f_x f_y + f_yy f_x²)/|∇f|³. CU-133, CU-134.
 ///
 /// Where f_y > 0 they are those of the graph over x; where f_y < 0 the curve is run through the other way, and all three have the other sign.
 ///
 /// # Errors
 /// iff ∇f = 0.
-#[doc(alias = "CU-143")]
-#[doc(alias = "CU-144")]
-#[doc(alias = "CU-146")]
-#[doc(alias = "CU-147")]
-#[doc(alias = "CU-148")]
+#[doc(alias = "CU-133")]
+#[doc(alias = "CU-134")]
+#[doc(alias = "CU-136")]
+#[doc(alias = "CU-137")]
+#[doc(alias = "CU-138")]
 pub fn level_elements(jet: &Jet<Rational, 2>) -> Result<CurveElements, SingularPoint> {
     let w = jet.gradient.norm_squared();
     if w.sign() == Sign::Zero {

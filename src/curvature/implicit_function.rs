@@ -5,13 +5,13 @@ use super::implicit_graph::GraphError;
 use super::jet::Jet;
 use crate::number::{Algebraic, Multivariate, OrderedField, Polynomial, Rational, Sign, real_roots};
 
-/// A box V × W around a point p of {f = a}, W along one axis, in which the level set is the graph of a function g: V → W. CU-305, CU-307.
+/// A box V × W around a point p of {f = a}, W along one axis, in which the level set is the graph of a function g: V → W. CU-143, CU-145.
 ///
 /// V is |xᵢ − pᵢ| ≤ δ for the other axes, W is |x − p| < ε along this one. On the box the derivative along the axis has one sign, and
 /// f − a has opposite signs at the two ends of W over each point of V.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-305")]
-#[doc(alias = "CU-307")]
+#[doc(alias = "CU-143")]
+#[doc(alias = "CU-145")]
 pub struct GraphBox<const N: usize> {
     /// f − a.
     function: Multivariate<N>,
@@ -30,14 +30,14 @@ fn bound<const N: usize>(h: &Multivariate<N>, radius: &[Rational; N]) -> Rationa
     })
 }
 
-/// A box around p for the level set of f through p, as a graph along an axis. CU-305, CU-306.
+/// A box around p for the level set of f through p, as a graph along an axis. CU-143, CU-144.
 ///
 /// # Errors
 /// `Singular` iff ∇f(p) = 0, `Vertical` iff only the derivative along the axis is 0.
 ///
 /// # Panics
 /// Iff there is no such axis.
-#[doc(alias = "CU-306")]
+#[doc(alias = "CU-144")]
 pub fn graph_box<const N: usize>(
     f: &Multivariate<N>,
     point: &[Rational; N],
@@ -72,12 +72,12 @@ pub fn graph_box<const N: usize>(
 }
 
 /// A box around p along the axis of the largest derivative: a level set of a regular value is a graph around each of its points.
-/// CU-309, CU-315.
+/// CU-147, CU-153.
 ///
 /// # Errors
 /// iff ∇f(p) = 0.
-#[doc(alias = "CU-309")]
-#[doc(alias = "CU-315")]
+#[doc(alias = "CU-147")]
+#[doc(alias = "CU-153")]
 pub fn chart<const N: usize>(f: &Multivariate<N>, point: &[Rational; N]) -> Result<GraphBox<N>, SingularPoint> {
     let gradient = Jet::of_polynomial(f, point).gradient;
     let size = |axis: &usize| Rational::from(gradient[*axis].abs_ref());
@@ -101,7 +101,7 @@ impl<const N: usize> GraphBox<N> {
         &self.epsilon
     }
 
-    /// g over a point, whose coordinate along the axis is not looked at; `None` iff it is not over V. CU-307.
+    /// g over a point, whose coordinate along the axis is not looked at; `None` iff it is not over V. CU-145.
     pub fn height(&self, over: &[Rational; N]) -> Option<Algebraic> {
         let off = |i: usize| Rational::from(&over[i] - &self.point[i]).abs();
         if (0..N).any(|i| i != self.axis && off(i) > self.delta) {

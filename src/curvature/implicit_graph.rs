@@ -64,15 +64,15 @@ pub struct Graph {
     pub second: [Rational; 3],
 }
 
-/// The derivatives of the implicit function z = g(x, y), the text's (6). CU-316, CU-317.
+/// The derivatives of the implicit function z = g(x, y), the text's (6). CU-154, CU-155.
 ///
 /// g_xx = −f_xx/f_z + 2 f_xz f_x/f_z² − f_zz f_x²/f_z³,
 /// g_xy = −f_xy/f_z + (f_yz f_x + f_y f_xz)/f_z² − f_y f_zz f_x/f_z³, and g_yy as g_xx.
 ///
 /// # Errors
 /// iff f_z = 0.
-#[doc(alias = "CU-316")]
-#[doc(alias = "CU-317")]
+#[doc(alias = "CU-154")]
+#[doc(alias = "CU-155")]
 pub fn graph(jet: &Jet<Rational, 3>) -> Result<Graph, GraphError> {
     let ([fx, fy, _], [[fxx, fxy, fxz], [_, fyy, fyz], [_, _, fzz]]) = (&jet.gradient.0, &jet.hessian.0);
     // r = 1/f_z
@@ -92,8 +92,8 @@ impl Graph {
         Jet { value: height, gradient: Vector(self.first.clone()), hessian }
     }
 
-    /// The upward unit normal (−g_x, −g_y, 1)/√(g_x² + g_y² + 1) of the graph: sign(f_z)·∇f/|∇f|. CU-320.
-    #[doc(alias = "CU-320")]
+    /// The upward unit normal (−g_x, −g_y, 1)/√(g_x² + g_y² + 1) of the graph: sign(f_z)·∇f/|∇f|. CU-158.
+    #[doc(alias = "CU-158")]
     pub fn upward_normal(&self) -> Vector<Surd, 3> {
         let [gx, gy] = self.first.clone();
         unit(&Vector([-gx, -gy, Rational::from(1)]))
@@ -125,8 +125,8 @@ fn reciprocal_of_last(jet: &Jet<Rational, 3>) -> Result<Rational, GraphError> {
     }
 }
 
-/// A₁, A₂, A₃: bordered 2×2 parts of the Hessian. CU-324.
-#[doc(alias = "CU-324")]
+/// A₁, A₂, A₃: bordered 2×2 parts of the Hessian. CU-162.
+#[doc(alias = "CU-162")]
 pub fn bordered<K: Ring>(jet: &Jet<K, 3>) -> [Matrix<K, 3, 3>; 3] {
     let ([fx, fy, fz], [[fxx, fxy, fxz], [_, fyy, fyz], [_, _, fzz]]) = (&jet.gradient.0, &jet.hessian.0);
     let zero = &K::integer(0);
@@ -138,10 +138,10 @@ pub fn bordered<K: Ring>(jet: &Jet<K, 3>) -> [Matrix<K, 3, 3>; 3] {
     .map(|rows| Matrix(rows.map(|row| row.map(K::clone))))
 }
 
-/// det A₁, det A₂, det A₃: f_z²|∇f| times e, f, g. CU-321, CU-322, CU-323.
-#[doc(alias = "CU-321")]
-#[doc(alias = "CU-322")]
-#[doc(alias = "CU-323")]
+/// det A₁, det A₂, det A₃: f_z²|∇f| times e, f, g. CU-159, CU-160, CU-161.
+#[doc(alias = "CU-159")]
+#[doc(alias = "CU-160")]
+#[doc(alias = "CU-161")]
 pub fn second_form_numerators<K: Ring>(jet: &Jet<K, 3>) -> [K; 3] {
     bordered(jet).map(|a| determinant3(&a))
 }
@@ -157,11 +157,11 @@ pub struct LevelForms {
     pub gradient_squared: Rational,
 }
 
-/// The fundamental forms in the coordinates x, y: the text's (7), and e, f, g by determinants. CU-318.
+/// The fundamental forms in the coordinates x, y: the text's (7), and e, f, g by determinants. CU-156.
 ///
 /// # Errors
 /// iff f_z = 0.
-#[doc(alias = "CU-318")]
+#[doc(alias = "CU-156")]
 pub fn forms(jet: &Jet<Rational, 3>) -> Result<LevelForms, GraphError> {
     let r = &reciprocal_of_last(jet)?;
     let [fx, fy, fz] = &jet.gradient.0;
@@ -172,20 +172,20 @@ pub fn forms(jet: &Jet<Rational, 3>) -> Result<LevelForms, GraphError> {
     Ok(LevelForms { first, second_w, gradient_squared: jet.gradient.norm_squared() })
 }
 
-/// The fundamental forms over the plane across an axis, in the coordinates y, z for X, z, x for Y, x, y for Z. CU-332.
+/// The fundamental forms over the plane across an axis, in the coordinates y, z for X, z, x for Y, x, y for Z. CU-170.
 ///
 /// # Errors
 /// iff the derivative along the axis is 0.
-#[doc(alias = "CU-332")]
+#[doc(alias = "CU-170")]
 pub fn forms_along(jet: &Jet<Rational, 3>, axis: Axis) -> Result<LevelForms, GraphError> {
     forms(&turned(jet, axis))
 }
 
-/// |∇f|e, |∇f|f, |∇f|g for the graph's upward normal: |f_z| times g_xx, g_xy, g_yy, which is sign(f_z) times those of [`forms`]. CU-325.
+/// |∇f|e, |∇f|f, |∇f|g for the graph's upward normal: |f_z| times g_xx, g_xy, g_yy, which is sign(f_z) times those of [`forms`]. CU-163.
 ///
 /// # Errors
 /// iff f_z = 0.
-#[doc(alias = "CU-325")]
+#[doc(alias = "CU-163")]
 pub fn upward_second_w(jet: &Jet<Rational, 3>) -> Result<[Rational; 3], GraphError> {
     Ok(graph(jet)?.second.map(|x| x * Rational::from(jet.gradient[2].abs_ref())))
 }
@@ -211,11 +211,11 @@ impl LevelForms {
     }
 }
 
-/// K = (det A₁ det A₃ − det A₂²)/(f_z²|∇f|⁴). CU-326.
+/// K = (det A₁ det A₃ − det A₂²)/(f_z²|∇f|⁴). CU-164.
 ///
 /// # Errors
 /// iff f_z = 0.
-#[doc(alias = "CU-326")]
+#[doc(alias = "CU-164")]
 pub fn gaussian_by_determinants(jet: &Jet<Rational, 3>) -> Result<Rational, GraphError> {
     let r = &reciprocal_of_last(jet)?;
     let [a1, a2, a3] = &second_form_numerators(jet);
@@ -223,9 +223,9 @@ pub fn gaussian_by_determinants(jet: &Jet<Rational, 3>) -> Result<Rational, Grap
     Ok((product([a1, a3, r, r]) - product([a2, a2, r, r])) / Rational::from(w.square_ref()))
 }
 
-/// |∇f|⁴K in full: the text's sum, term by term. It needs no f_z ≠ 0: det A₁ det A₃ − det A₂² is f_z² times it. CU-327, CU-331.
-#[doc(alias = "CU-327")]
-#[doc(alias = "CU-331")]
+/// |∇f|⁴K in full: the text's sum, term by term. It needs no f_z ≠ 0: det A₁ det A₃ − det A₂² is f_z² times it. CU-165, CU-169.
+#[doc(alias = "CU-165")]
+#[doc(alias = "CU-169")]
 pub fn gaussian_numerator_expanded<K: Ring>(jet: &Jet<K, 3>) -> K {
     let ([fx, fy, fz], [[fxx, fxy, fxz], [_, fyy, fyz], [_, _, fzz]]) = (&jet.gradient.0, &jet.hessian.0);
     let two = &K::integer(2);
@@ -238,11 +238,11 @@ pub fn gaussian_numerator_expanded<K: Ring>(jet: &Jet<K, 3>) -> K {
         + &(minor(fxx, fyy, fxy, fxy) * fz * fz)
 }
 
-/// |∇f|H = (det A₁(1 + f_y²/f_z²) − 2 det A₂(f_x f_y/f_z²) + det A₃(1 + f_x²/f_z²))/(2|∇f|²). CU-328.
+/// |∇f|H = (det A₁(1 + f_y²/f_z²) − 2 det A₂(f_x f_y/f_z²) + det A₃(1 + f_x²/f_z²))/(2|∇f|²). CU-166.
 ///
 /// # Errors
 /// iff f_z = 0.
-#[doc(alias = "CU-328")]
+#[doc(alias = "CU-166")]
 pub fn mean_w_by_determinants(jet: &Jet<Rational, 3>) -> Result<Rational, GraphError> {
     let r = &reciprocal_of_last(jet)?;
     let [fx, fy, _] = &jet.gradient.0;
@@ -252,14 +252,14 @@ pub fn mean_w_by_determinants(jet: &Jet<Rational, 3>) -> Result<Rational, GraphE
     Ok(sum / (jet.gradient.norm_squared() * 2_u32))
 }
 
-/// 2|∇f|³H in full, in the convention N = +∇f/|∇f|: minus the text's sum. CU-329.
-#[doc(alias = "CU-329")]
+/// 2|∇f|³H in full, in the convention N = +∇f/|∇f|: minus the text's sum. CU-167.
+#[doc(alias = "CU-167")]
 pub fn mean_numerator_expanded<K: Ring>(jet: &Jet<K, 3>) -> K {
     -super::implicit_printed::printed_mean_numerator(jet)
 }
 
-/// The bordered Hessian (Hess f, ∇f; ∇fᵀ, 0): its determinant is −|∇f|⁴K. CU-334.
-#[doc(alias = "CU-334")]
+/// The bordered Hessian (Hess f, ∇f; ∇fᵀ, 0): its determinant is −|∇f|⁴K. CU-172.
+#[doc(alias = "CU-172")]
 pub fn bordered_hessian<K: Ring>(jet: &Jet<K, 3>) -> Matrix<K, 4, 4> {
     Matrix::from_fn(|i, j| match (i, j) {
         (3, 3) => K::integer(0),
@@ -268,8 +268,8 @@ pub fn bordered_hessian<K: Ring>(jet: &Jet<K, 3>) -> Matrix<K, 4, 4> {
     })
 }
 
-/// The same of a level curve: its determinant is κ|∇f|³. CU-335.
-#[doc(alias = "CU-335")]
+/// The same of a level curve: its determinant is κ|∇f|³. CU-173.
+#[doc(alias = "CU-173")]
 pub fn bordered_hessian_of_curve<K: Ring>(jet: &Jet<K, 2>) -> Matrix<K, 3, 3> {
     Matrix::from_fn(|i, j| match (i, j) {
         (2, 2) => K::integer(0),
@@ -279,12 +279,12 @@ pub fn bordered_hessian_of_curve<K: Ring>(jet: &Jet<K, 2>) -> Matrix<K, 3, 3> {
 }
 
 /// A basis of the tangent plane ker(df): the graph's (1, 0, g_x), (0, 1, g_y) along the axis, in the order in which their
-/// cross product is ∇f over its part along the axis. CU-313.
+/// cross product is ∇f over its part along the axis. CU-151.
 ///
 /// # Errors
 /// iff the derivative along the axis is 0.
-#[doc(alias = "CU-313")]
-#[doc(alias = "CU-319")]
+#[doc(alias = "CU-151")]
+#[doc(alias = "CU-157")]
 pub fn tangent_basis(jet: &Jet<Rational, 3>, axis: Axis) -> Result<[Vector<Rational, 3>; 2], GraphError> {
     let Graph { first: [gu, gv], .. } = graph(&turned(jet, axis))?;
     let back = |[u, v, w]: [Rational; 3]| {

@@ -10,7 +10,7 @@ use crate::number::{Rational, Ring, Surd, Trivariate};
 
 /// 2|∇f|³H as the second line of the text's H has it:
 /// (f_y² + f_z²)f_xx + (f_x² + f_z²)f_yy + (f_x² + f_y²)f_zz − 2(f_x f_y f_xy + f_x f_z f_xz + f_y f_z f_yz).
-/// It has the opposite sign of the first line, by determinants. CU-329.
+/// It has the opposite sign of the first line, by determinants. CU-167.
 pub fn printed_mean_numerator<K: Ring>(jet: &Jet<K, 3>) -> K {
     let ([fx, fy, fz], [[fxx, fxy, fxz], [_, fyy, fyz], [_, _, fzz]]) = (&jet.gradient.0, &jet.hessian.0);
     let squares = |a: &K, b: &K| product([a, a]) + &product([b, b]);
@@ -19,7 +19,7 @@ pub fn printed_mean_numerator<K: Ring>(jet: &Jet<K, 3>) -> K {
 }
 
 /// The normal as (8) has it at last, (f_x² + f_y² + f_z²)^(−1/2)·(f_x, f_y, f_z), for the graph's normal (−g_x, −g_y, 1)/√…; the
-/// two are opposite where f_z < 0. CU-320.
+/// two are opposite where f_z < 0. CU-158.
 ///
 /// # Errors
 /// iff ∇f = 0.
@@ -27,8 +27,8 @@ pub fn printed_graph_normal(jet: &Jet<Rational, 3>) -> Result<Vector<Surd, 3>, S
     Ok(ShapeOperator::new(jet)?.unit_normal())
 }
 
-/// ∇(∇fᵀ∇f) = 2∇fᵀ·Hess f, a row. CU-339.
-#[doc(alias = "CU-339")]
+/// ∇(∇fᵀ∇f) = 2∇fᵀ·Hess f, a row. CU-177.
+#[doc(alias = "CU-177")]
 pub fn squared_norm_derivative<K: Ring>(jet: &Jet<K, 3>) -> Vector<K, 3> {
     // ∂ⱼ Σ fᵢ² = Σ 2 fᵢ ∂ⱼfᵢ
     let term = |i: usize, j: usize| product([&K::integer(2), &jet.gradient[i], &jet.hessian.0[i][j]]);
@@ -36,16 +36,16 @@ pub fn squared_norm_derivative<K: Ring>(jet: &Jet<K, 3>) -> Vector<K, 3> {
 }
 
 /// |∇f| times each of the five lines in which the text derives "dN", all printed with a leading minus; ∇f ≠ 0.
-/// CU-337, CU-338, CU-340, CU-341.
+/// CU-175, CU-176, CU-178, CU-179.
 ///
 /// Lines 1, 2, 3 and 5 are the matrix of −dN. Line 4 has Hess f within the bracket that should be closed before it:
 /// −(1/|∇f|)(1 − (∇f∇fᵀ/|∇f|²)Hess f), where 1 is read as I.
 ///
 /// # Errors
 /// iff ∇f = 0.
-#[doc(alias = "CU-337")]
-#[doc(alias = "CU-338")]
-#[doc(alias = "CU-340")]
+#[doc(alias = "CU-175")]
+#[doc(alias = "CU-176")]
+#[doc(alias = "CU-178")]
 pub fn printed_normal_derivative_w(jet: &Jet<Rational, 3>) -> Result<[Matrix<Rational, 3, 3>; 5], SingularPoint> {
     let w = jet.gradient.norm_squared();
     if w.is_zero() {
@@ -71,21 +71,21 @@ pub fn printed_normal_derivative_w(jet: &Jet<Rational, 3>) -> Result<[Matrix<Rat
     Ok([first, second, third, fourth, fifth].map(minus))
 }
 
-/// k₁² + k₂² as the text has it: tr(dN dNᵀ), the square of Frobenius' norm of (16). Too large by |SN|². CU-348.
+/// k₁² + k₂² as the text has it: tr(dN dNᵀ), the square of Frobenius' norm of (16). Too large by |SN|². CU-186.
 pub fn printed_sum_of_squares(shape: &ShapeOperator) -> Rational {
     shape.frobenius_squared()
 }
 
-/// |∇f| times the text's k₁,₂ = (tr(dN) ± √(2|dN|²_F − tr(dN)²))/2 with dN as in (16). CU-350.
+/// |∇f| times the text's k₁,₂ = (tr(dN) ± √(2|dN|²_F − tr(dN)²))/2 with dN as in (16). CU-188.
 ///
 /// The root is of (k₁ − k₂)² + 2|SN|²: these are the principal curvatures iff SN = 0.
 pub fn printed_principal_w(shape: &ShapeOperator) -> [Surd; 2] {
     from_trace_and_norm(&trace(shape.scaled()), &frobenius_squared(shape.scaled()))
 }
 
-/// |∇f| times k₁,₂ = (tr S ± √(2|SP|²_F − (tr S)²))/2: the same formula with the symmetric operator. CU-349, CU-350.
-#[doc(alias = "CU-349")]
-#[doc(alias = "CU-350")]
+/// |∇f| times k₁,₂ = (tr S ± √(2|SP|²_F − (tr S)²))/2: the same formula with the symmetric operator. CU-187, CU-188.
+#[doc(alias = "CU-187")]
+#[doc(alias = "CU-188")]
 pub fn corrected_principal_w(shape: &ShapeOperator) -> [Surd; 2] {
     from_trace_and_norm(&trace(shape.scaled()), &frobenius_squared(&shape.tangential()))
 }
@@ -100,16 +100,16 @@ fn from_trace_and_norm(t: &Rational, n: &Rational) -> [Surd; 2] {
     })
 }
 
-/// dN in the basis v₁, v₂, N as the text has it, diag(k₁, k₂, 0), times |∇f|. CU-346.
-#[doc(alias = "CU-346")]
+/// dN in the basis v₁, v₂, N as the text has it, diag(k₁, k₂, 0), times |∇f|. CU-184.
+#[doc(alias = "CU-184")]
 pub fn printed_diagonal_w(shape: &ShapeOperator) -> Matrix<Surd, 3, 3> {
     let [k1, k2] = shape.scaled_principal();
     let zero = || Surd::integer(0);
     Matrix([[k1, zero(), zero()], [zero(), k2, zero()], [zero(), zero(), zero()]])
 }
 
-/// What "A(T(p)) = A(p)" compares where A is read as the same field on both sides: the jets of the unmoved f at p and at T(p). CU-366.
-#[doc(alias = "CU-366")]
+/// What "A(T(p)) = A(p)" compares where A is read as the same field on both sides: the jets of the unmoved f at p and at T(p). CU-204.
+#[doc(alias = "CU-204")]
 pub fn printed_invariance_jets(f: &Trivariate, motion: &Affine, at: &[Rational; 3]) -> [Jet<Rational, 3>; 2] {
     let image = motion.image(&Vector(at.clone()));
     [Jet::of_polynomial(f, at), Jet::of_polynomial(f, &image.0)]

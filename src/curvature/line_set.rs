@@ -6,9 +6,9 @@ use crate::number::Rational;
 /// (pₙ, ∞).
 ///
 /// Normal form: no end pᵢ lies, with both its sides, in the set or out of it. So two of them are equal iff they are
-/// the same set. CU-275.
+/// the same set. CU-221.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-275")]
+#[doc(alias = "CU-221")]
 pub struct LineSet {
     ends: Vec<Rational>,
     /// Which of the 2n + 1 cells are in the set.
@@ -71,7 +71,7 @@ impl LineSet {
         self.cells.iter().step_by(2).all(|cell| !cell)
     }
 
-    /// Its connected components from left to right: runs of cells in the set. CU-278.
+    /// Its connected components from left to right: runs of cells in the set. CU-224.
     pub fn components(&self) -> Vec<LineSet> {
         let mut runs: Vec<Vec<bool>> = Vec::new();
         for i in (0..self.cells.len()).filter(|i| self.cells[*i]) {
@@ -84,15 +84,15 @@ impl LineSet {
         runs.into_iter().map(|cells| normal(self.ends.clone(), cells)).collect()
     }
 
-    /// Whether the set is connected: an interval of some kind, a point, or ∅. CU-277.
+    /// Whether the set is connected: an interval of some kind, a point, or ∅. CU-223.
     pub fn is_connected(&self) -> bool {
         self.components().len() <= 1
     }
 
     /// The open sets among families that are closed under countable unions and finite intersections, but not under all
     /// unions: at most countable sets, and ℝ. They satisfy the printed axioms of a topology (002, definition 3.13).
-    /// CU-274.
-    #[doc(alias = "CU-274")]
+    /// CU-220.
+    #[doc(alias = "CU-220")]
     pub fn is_open_printed(&self) -> bool {
         self.is_countable() || *self == LineSet::line()
     }

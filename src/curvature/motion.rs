@@ -23,9 +23,9 @@ pub enum NotOrthogonal {
     ZeroQuaternion,
 }
 
-/// A rational 3×3 matrix R with RᵀR = I: a rotation where det R = 1, else one after −I. CU-375.
+/// A rational 3×3 matrix R with RᵀR = I: a rotation where det R = 1, else one after −I. CU-213.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-375")]
+#[doc(alias = "CU-213")]
 pub struct Orthogonal(Matrix<Rational, 3, 3>);
 
 impl Orthogonal {
@@ -44,7 +44,7 @@ impl Orthogonal {
     }
 
     /// (I − S)⁻¹(I + S) with Sx = v × x: Cayley's transform, the turn about v by the angle 2 arctan |v|. Every rational rotation but
-    /// those by 180° is one. CU-375.
+    /// those by 180° is one. CU-213.
     pub fn cayley(v: &Vector<Rational, 3>) -> Orthogonal {
         let Vector([x, y, z]) = v.clone();
         let zero = Rational::new();
@@ -54,7 +54,7 @@ impl Orthogonal {
         Orthogonal(less.times(&Matrix::from_fn(|i, j| entry(i, j, 1))))
     }
 
-    /// x ↦ qxq⁻¹ for the quaternion q = a + bi + cj + dk: every rational rotation is one. CU-375.
+    /// x ↦ qxq⁻¹ for the quaternion q = a + bi + cj + dk: every rational rotation is one. CU-213.
     ///
     /// # Errors
     /// `ZeroQuaternion` iff q = 0.
@@ -90,14 +90,14 @@ impl Orthogonal {
         &self.0
     }
 
-    /// det R: positive for a rotation, negative for an improper map. CU-378.
-    #[doc(alias = "CU-378")]
+    /// det R: positive for a rotation, negative for an improper map. CU-216.
+    #[doc(alias = "CU-216")]
     pub fn orientation(&self) -> Sign {
         Sign::of(determinant3(&self.0).cmp0())
     }
 
-    /// Whether R takes ℤ³ to itself: iff its entries are integers, so that it permutes the axes and turns some round. CU-373.
-    #[doc(alias = "CU-373")]
+    /// Whether R takes ℤ³ to itself: iff its entries are integers, so that it permutes the axes and turns some round. CU-211.
+    #[doc(alias = "CU-211")]
     pub fn keeps_lattice(&self) -> bool {
         self.0.0.iter().flatten().all(Rational::is_integer)
     }
@@ -121,8 +121,8 @@ impl Affine {
         Ok(Affine { linear, inverse, translation })
     }
 
-    /// A rigid motion x ↦ Rx + b. It keeps E, F, G, and so areas. CU-380.
-    #[doc(alias = "CU-380")]
+    /// A rigid motion x ↦ Rx + b. It keeps E, F, G, and so areas. CU-218.
+    #[doc(alias = "CU-218")]
     pub fn rigid(rotation: &Orthogonal, translation: Vector<Rational, 3>) -> Affine {
         Affine { linear: rotation.0.clone(), inverse: rotation.0.transposed(), translation }
     }
@@ -151,32 +151,32 @@ impl Affine {
         self.linear.apply(p) + &self.translation
     }
 
-    /// Av: the image of a tangent vector, by the chain rule. CU-370.
-    #[doc(alias = "CU-370")]
+    /// Av: the image of a tangent vector, by the chain rule. CU-208.
+    #[doc(alias = "CU-208")]
     pub fn tangent(&self, v: &Vector<Rational, 3>) -> Vector<Rational, 3> {
         self.linear.apply(v)
     }
 
-    /// A⁻ᵀn: along the image's normal, the gradient of f∘T⁻¹ for n = ∇f. Not of unit length, but where A is orthogonal. CU-372.
-    #[doc(alias = "CU-372")]
+    /// A⁻ᵀn: along the image's normal, the gradient of f∘T⁻¹ for n = ∇f. Not of unit length, but where A is orthogonal. CU-210.
+    #[doc(alias = "CU-210")]
     pub fn normal(&self, n: &Vector<Rational, 3>) -> Vector<Rational, 3> {
         self.inverse.transposed().apply(n)
     }
 
     /// Whether A takes the normal n to a normal of the image: iff AᵀAn is a multiple of n. For every n iff A is a multiple of an
-    /// orthogonal map. CU-371.
-    #[doc(alias = "CU-371")]
+    /// orthogonal map. CU-209.
+    #[doc(alias = "CU-209")]
     pub fn carries_normal(&self, n: &Vector<Rational, 3>) -> bool {
         self.linear.transposed().apply(&self.linear.apply(n)).cross(n).norm_squared().is_zero()
     }
 
-    /// det A·A⁻ᵀ(σᵤ × σᵥ) = Aσᵤ × Aσᵥ: the normal that a parametrisation gives, opposite to A⁻ᵀn iff det A < 0. CU-372.
+    /// det A·A⁻ᵀ(σᵤ × σᵥ) = Aσᵤ × Aσᵥ: the normal that a parametrisation gives, opposite to A⁻ᵀn iff det A < 0. CU-210.
     pub fn parametric_normal(&self, n: &Vector<Rational, 3>) -> Vector<Rational, 3> {
         self.normal(n).scaled(&self.determinant())
     }
 
-    /// f∘T⁻¹, whose level sets are the images of f's. CU-367.
-    #[doc(alias = "CU-367")]
+    /// f∘T⁻¹, whose level sets are the images of f's. CU-205.
+    #[doc(alias = "CU-205")]
     pub fn moved(&self, f: &Trivariate) -> Trivariate {
         let minus_b = self.inverse.apply(&self.translation);
         let coordinate = |i: usize| {
@@ -187,17 +187,17 @@ impl Affine {
         f.evaluate_in(&std::array::from_fn(coordinate), |c| Multivariate::constant(c.clone()))
     }
 
-    /// The jet of f∘T⁻¹ at T(p), from that of f at p: A⁻ᵀ∇f and A⁻ᵀ Hess f A⁻¹. CU-368.
-    #[doc(alias = "CU-368")]
+    /// The jet of f∘T⁻¹ at T(p), from that of f at p: A⁻ᵀ∇f and A⁻ᵀ Hess f A⁻¹. CU-206.
+    #[doc(alias = "CU-206")]
     pub fn moved_jet(&self, jet: &Jet<Rational, 3>) -> Jet<Rational, 3> {
         let hessian = self.inverse.transposed().times(&jet.hessian).times(&self.inverse);
         Jet { value: jet.value.clone(), gradient: self.normal(&jet.gradient), hessian }
     }
 
     /// K of the image at T(p) over K at p: |∇f|⁴/((det A)²|A⁻ᵀ∇f|⁴) > 0. So affine maps keep the sign of K; a rigid motion keeps
-    /// K, and a scaling by λ makes it K/λ². `None` iff ∇f = 0. CU-369, CU-376.
-    #[doc(alias = "CU-369")]
-    #[doc(alias = "CU-376")]
+    /// K, and a scaling by λ makes it K/λ². `None` iff ∇f = 0. CU-207, CU-214.
+    #[doc(alias = "CU-207")]
+    #[doc(alias = "CU-214")]
     pub fn gaussian_factor(&self, gradient: &Vector<Rational, 3>) -> Option<Rational> {
         let image = self.normal(gradient).norm_squared() * self.determinant();
         (!image.is_zero()).then(|| (gradient.norm_squared() / image).square())
@@ -205,8 +205,8 @@ impl Affine {
 }
 
 /// The jet of f with its variables permuted: variable i takes the place of\[i]. A level set is reflected or turned with it, and K and H
-/// are kept. CU-330.
-#[doc(alias = "CU-330")]
+/// are kept. CU-168.
+#[doc(alias = "CU-168")]
 pub fn permuted<K: Ring>(jet: &Jet<K, 3>, of: [usize; 3]) -> Jet<K, 3> {
     Jet {
         value: jet.value.clone(),
@@ -215,8 +215,8 @@ pub fn permuted<K: Ring>(jet: &Jet<K, 3>, of: [usize; 3]) -> Jet<K, 3> {
     }
 }
 
-/// φ∘f from φ′ and φ″ at f's value: for φ′ ≠ 0 the same level set; N, H, k₁ and k₂ take the sign of φ′, K stays. CU-377.
-#[doc(alias = "CU-377")]
+/// φ∘f from φ′ and φ″ at f's value: for φ′ ≠ 0 the same level set; N, H, k₁ and k₂ take the sign of φ′, K stays. CU-215.
+#[doc(alias = "CU-215")]
 pub fn relabelled(jet: &Jet<Rational, 3>, first: &Rational, second: &Rational) -> Jet<Rational, 3> {
     jet.composed(&[jet.value.clone(), first.clone(), second.clone()])
 }

@@ -4,13 +4,13 @@ use super::normalize::SlopeError;
 use crate::number::{Interval, OrderedField, Rational, Ring, Sign, Surd};
 use std::cmp::Ordering;
 
-/// n_λ′(x) = λe^(−λ|x|)/2, for x = 0 too: positive, even, at most λ/2. CU-362, CU-363, CU-364.
+/// n_λ′(x) = λe^(−λ|x|)/2, for x = 0 too: positive, even, at most λ/2. CU-200, CU-201, CU-202.
 ///
 /// # Errors
 /// iff λ ≤ 0.
-#[doc(alias = "CU-362")]
-#[doc(alias = "CU-363")]
-#[doc(alias = "CU-364")]
+#[doc(alias = "CU-200")]
+#[doc(alias = "CU-201")]
+#[doc(alias = "CU-202")]
 pub fn normalize_derivative(slope: &Rational, x: &Rational, precision: u32) -> Result<Interval, SlopeError> {
     if slope.cmp0() != Ordering::Greater {
         return Err(SlopeError(slope.clone()));
@@ -20,12 +20,12 @@ pub fn normalize_derivative(slope: &Rational, x: &Rational, precision: u32) -> R
     Ok(Interval::from_rational(&exponent, precision).exp() * &half)
 }
 
-/// n_λ(k) for a curvature k = H, k₁ or k₂, which is irrational in general: the normalised curvature kₙ(p) = n_λ(k(p)). CU-365.
+/// n_λ(k) for a curvature k = H, k₁ or k₂, which is irrational in general: the normalised curvature kₙ(p) = n_λ(k(p)). CU-203.
 ///
 /// # Errors
 /// iff λ ≤ 0.
-#[doc(alias = "CU-365")]
-#[doc(alias = "CU-379")]
+#[doc(alias = "CU-203")]
+#[doc(alias = "CU-217")]
 pub fn normalized_curvature(slope: &Rational, k: &Surd, precision: u32) -> Result<Interval, SlopeError> {
     if slope.cmp0() != Ordering::Greater {
         return Err(SlopeError(slope.clone()));

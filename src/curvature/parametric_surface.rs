@@ -42,7 +42,7 @@ impl<K: Ring> FundamentalForms<K> {
     }
 
     /// W² = EG − F² = |σᵤ × σᵥ|².
-    #[doc(alias = "CU-223")]
+    #[doc(alias = "CU-71")]
     pub fn w_squared(&self) -> K {
         let [e, f, g] = &self.first;
         e.clone() * g - &(f.clone() * f)

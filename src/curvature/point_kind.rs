@@ -18,16 +18,16 @@ pub enum PointKind {
     Umbilic,
 }
 
-/// z − (ax² + by²)/2, whose zero set has the principal curvatures a and b at the origin. CU-361.
-#[doc(alias = "CU-361")]
+/// z − (ax² + by²)/2, whose zero set has the principal curvatures a and b at the origin. CU-199.
+#[doc(alias = "CU-199")]
 pub fn quadric_with(a: &Rational, b: &Rational) -> Multivariate<3> {
     let minus_half = |x: &Rational| -Rational::from(x / 2_u32);
     Multivariate::new([([0, 0, 1], Rational::from(1)), ([2, 0, 0], minus_half(a)), ([0, 2, 0], minus_half(b))])
 }
 
 impl LevelSurface {
-    /// The kind of the point, by the signs of K, H and H² − K. CU-359.
-    #[doc(alias = "CU-359")]
+    /// The kind of the point, by the signs of K, H and H² − K. CU-197.
+    #[doc(alias = "CU-197")]
     pub fn kind(&self) -> PointKind {
         let sign = |x: &Rational| Sign::of(x.cmp0());
         match (sign(&self.gaussian), self.mean_sign, sign(&self.discriminant())) {
@@ -39,15 +39,15 @@ impl LevelSurface {
         }
     }
 
-    /// k⁴ + (2K − 4H²)k² + K² = (k² − k₁²)(k² − k₂²), rational. CU-355.
-    #[doc(alias = "CU-355")]
+    /// k⁴ + (2K − 4H²)k² + K² = (k² − k₁²)(k² − k₂²), rational. CU-193.
+    #[doc(alias = "CU-193")]
     pub fn principal_quartic(&self) -> Polynomial {
         let middle = Rational::from(&self.gaussian * 2_u32) - Rational::from(&self.mean_squared * 4_u32);
         let (zero, last) = (Rational::new, Rational::from(self.gaussian.square_ref()));
         Polynomial::new(vec![last, zero(), middle, zero(), Rational::from(1)])
     }
 
-    /// k₁ ≥ k₂ as isolated roots of [`LevelSurface::principal_quartic`]. CU-355.
+    /// k₁ ≥ k₂ as isolated roots of [`LevelSurface::principal_quartic`]. CU-193.
     ///
     /// Of ±m, ±M with 0 ≤ m ≤ M the curvature of the sign of H has the size M, the other one, of K's sign times that, the size m.
     pub fn principal_roots(&self) -> [Algebraic; 2] {

@@ -41,11 +41,11 @@ fn normal_curvature_w(jet: &Jet<Rational, 3>, v: &Vector<Rational, 3>) -> Result
 }
 
 /// The normal curvature k(v) = ⟨−dN(v), v⟩/|v|² = −vᵀ Hess f v/(|∇f||v|²) in a tangent direction, in ℚ(√|∇f|²): of any
-/// curve of the surface along v, the part of its curvature vector along N. CU-357.
+/// curve of the surface along v, the part of its curvature vector along N. CU-195.
 ///
 /// # Errors
 /// `Singular` iff ∇f = 0; else `Zero` iff v = 0; else `NotTangent` iff ⟨∇f, v⟩ ≠ 0.
-#[doc(alias = "CU-357")]
+#[doc(alias = "CU-195")]
 pub fn normal_curvature(jet: &Jet<Rational, 3>, v: &Vector<Rational, 3>) -> Result<Surd, DirectionError> {
     Ok(over_root(&normal_curvature_w(jet, v)?, &jet.gradient.norm_squared()))
 }
@@ -73,16 +73,16 @@ fn embedded(v: &Vector<Rational, 3>) -> Vector<Surd, 3> {
     v.map(|x| Surd::from(x.clone()))
 }
 
-/// The principal directions: the tangent v with det(v, ∇f, Hess f v) = 0. CU-356, CU-360.
+/// The principal directions: the tangent v with det(v, ∇f, Hess f v) = 0. CU-194, CU-198.
 ///
 /// In an orthogonal basis u, u′ = ∇f × u with α = uᵀHu, β = uᵀHu′, γ = u′ᵀHu′, w = |∇f|² and v = su + tu′, that is
 /// βs² + (γ − wα)st − wβt² = 0, of the discriminant (γ − wα)² + 4wβ² ≥ 0, which is 0 at an umbilic alone.
 ///
 /// # Errors
 /// `Singular` iff ∇f = 0.
-#[doc(alias = "CU-345")]
-#[doc(alias = "CU-356")]
-#[doc(alias = "CU-360")]
+#[doc(alias = "CU-183")]
+#[doc(alias = "CU-194")]
+#[doc(alias = "CU-198")]
 pub fn principal_directions(jet: &Jet<Rational, 3>) -> Result<PrincipalDirections, DirectionError> {
     let w = jet.gradient.norm_squared();
     if w.is_zero() {
@@ -108,11 +108,11 @@ pub fn principal_directions(jet: &Jet<Rational, 3>) -> Result<PrincipalDirection
 }
 
 /// |∇f|(k₁ cos²θ + k₂ sin²θ), θ the angle from the first principal direction to v: Euler's formula, in the field of the
-/// principal directions. It is |∇f| times the normal curvature. CU-358.
+/// principal directions. It is |∇f| times the normal curvature. CU-196.
 ///
 /// # Errors
 /// As [`normal_curvature`].
-#[doc(alias = "CU-358")]
+#[doc(alias = "CU-196")]
 pub fn euler_w(jet: &Jet<Rational, 3>, v: &Vector<Rational, 3>) -> Result<Surd, DirectionError> {
     normal_curvature_w(jet, v)?;
     let [k1, k2] = ShapeOperator::new(jet).map_err(|_| DirectionError::Singular)?.scaled_principal();

@@ -73,7 +73,7 @@ struct Cell<const D: usize> {
 }
 
 /// ∫ f over the box, the integrand being Taylor's polynomial of degree N − 1 around the middle of each part, and Lagrange's remainder,
-/// whose coefficients are enclosed over the part. CU-155, CU-156.
+/// whose coefficients are enclosed over the part. CU-127, CU-128.
 ///
 /// The integrand takes the series of the variables to its own; `None` where it is not known to be defined. Parts are halved along each
 /// axis until the sum of their intervals is as narrow as asked for. The intervals are right for every integrand that is N times
@@ -82,8 +82,8 @@ struct Cell<const D: usize> {
 ///
 /// # Errors
 /// `Width` iff the width is ≤ 0; `Reversed` iff a lower bound is above its upper one.
-#[doc(alias = "CU-155")]
-#[doc(alias = "CU-156")]
+#[doc(alias = "CU-127")]
+#[doc(alias = "CU-128")]
 pub fn integral<const D: usize, const N: usize>(
     integrand: impl Fn(&[Series<D, N>; D], u32) -> Option<Series<D, N>>,
     domain: &[(Rational, Rational); D],

@@ -11,9 +11,9 @@ use thiserror::Error;
 #[error("the denominator is zero everywhere")]
 pub struct ZeroDenominator;
 
-/// A curve α = (p₁, …, p_D)/q by polynomials of t, in lowest terms and q monic: its poles are the roots of q. CU-102.
+/// A curve α = (p₁, …, p_D)/q by polynomials of t, in lowest terms and q monic: its poles are the roots of q. CU-9.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-102")]
+#[doc(alias = "CU-9")]
 pub struct RationalCurve<const D: usize> {
     numerators: [Polynomial; D],
     denominator: Polynomial,
@@ -30,9 +30,9 @@ pub enum End {
     PlusInfinity,
 }
 
-/// Whether a curve on an open interval is closed. CU-103.
+/// Whether a curve on an open interval is closed. CU-10.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-103")]
+#[doc(alias = "CU-10")]
 pub enum Closing<const D: usize> {
     /// Both limits are this point.
     Closed(Vector<Rational, D>),
@@ -42,12 +42,12 @@ pub enum Closing<const D: usize> {
     NoLimit,
 }
 
-/// Where a curve is not regular. CU-159.
+/// Where a curve is not regular. CU-30.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-101")]
-#[doc(alias = "CU-107")]
-#[doc(alias = "CU-111")]
-#[doc(alias = "CU-159")]
+#[doc(alias = "CU-8")]
+#[doc(alias = "CU-14")]
+#[doc(alias = "CU-18")]
+#[doc(alias = "CU-30")]
 pub enum SingularParameters {
     /// At these parameters, in increasing order; nowhere if there are none.
     At(Vec<Algebraic>),
@@ -94,7 +94,7 @@ impl<const D: usize> RationalCurve<D> {
         (!q.is_zero()).then(|| Vector(self.numerators.each_ref().map(|p| p.evaluate(t) / &q)))
     }
 
-    /// q²α′ = p′q − pq′, by coordinates. CU-159.
+    /// q²α′ = p′q − pq′, by coordinates. CU-30.
     pub fn velocity_numerators(&self) -> [Polynomial; D] {
         let q = &self.denominator;
         let slope = q.derivative();
@@ -107,7 +107,7 @@ impl<const D: usize> RationalCurve<D> {
         RationalCurve::new(self.velocity_numerators(), square).expect("q is not 0, so q² is not")
     }
 
-    /// The 2-jets of the coordinates at t; `None` iff t is a pole. CU-102.
+    /// The 2-jets of the coordinates at t; `None` iff t is a pole. CU-9.
     pub fn jets(&self, t: &Rational) -> Option<[Jet<Rational, 1>; D]> {
         let (first, second) = (self.derivative(), self.derivative().derivative());
         let (value, first, second) = (self.point(t)?, first.point(t)?, second.point(t)?);
@@ -118,7 +118,7 @@ impl<const D: usize> RationalCurve<D> {
         }))
     }
 
-    /// The real parameters with α′ = 0: the common roots of the p′q − pq′, which are no poles. CU-159.
+    /// The real parameters with α′ = 0: the common roots of the p′q − pq′, which are no poles. CU-30.
     pub fn singular_parameters(&self) -> SingularParameters {
         // At a root of q of multiplicity m some p is not 0, and there p′q − pq′ has multiplicity m − 1: a pole of order ≥ 2 has to be left out.
         let common = self.velocity_numerators().iter().fold(Polynomial::new(Vec::new()), |g, p| g.gcd(p));
@@ -142,7 +142,7 @@ impl<const D: usize> RationalCurve<D> {
         !self.denominator.evaluate(from).is_zero() && chain.count(from, to) == 0
     }
 
-    /// The limit of α at an end; `None` iff there is none. CU-103.
+    /// The limit of α at an end; `None` iff there is none. CU-10.
     pub fn limit(&self, end: &End) -> Option<Vector<Rational, D>> {
         match end {
             End::At(t) => self.point(t),
@@ -158,7 +158,7 @@ impl<const D: usize> RationalCurve<D> {
         }
     }
 
-    /// Whether the curve on the open interval between these ends is closed. CU-103.
+    /// Whether the curve on the open interval between these ends is closed. CU-10.
     pub fn closing(&self, from: &End, to: &End) -> Closing<D> {
         match (self.limit(from), self.limit(to)) {
             (Some(a), Some(b)) if a == b => Closing::Closed(a),
@@ -167,12 +167,12 @@ impl<const D: usize> RationalCurve<D> {
         }
     }
 
-    /// α∘h for a rational h: the Möbius map, a polynomial, or any other. CU-117, CU-118.
+    /// α∘h for a rational h: the Möbius map, a polynomial, or any other. CU-24, CU-25.
     ///
     /// # Errors
     /// iff h is a constant at which α has a pole.
-    #[doc(alias = "CU-117")]
-    #[doc(alias = "CU-118")]
+    #[doc(alias = "CU-24")]
+    #[doc(alias = "CU-25")]
     pub fn reparametrised(&self, h: &RationalCurve<1>) -> Result<RationalCurve<D>, ZeroDenominator> {
         let [top] = &h.numerators;
         let bottom = &h.denominator;
@@ -207,15 +207,15 @@ impl<const D: usize> RationalCurve<D> {
         self.reparametrised(&minus).expect("−t is no constant")
     }
 
-    /// Whether α has a least period, every positive number for one, or none: a rational function with a period is constant. CU-104.
-    #[doc(alias = "CU-104")]
+    /// Whether α has a least period, every positive number for one, or none: a rational function with a period is constant. CU-11.
+    #[doc(alias = "CU-11")]
     pub fn period(&self) -> Period {
         let is_constant = self.velocity_numerators().iter().all(Polynomial::is_zero);
         if is_constant { Period::EveryNumber } else { Period::None }
     }
 }
 
-/// The periods of a curve on ℝ. CU-104.
+/// The periods of a curve on ℝ. CU-11.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Period {
     /// The curve is one point: every ρ > 0 is a period, and there is no least one.
@@ -227,8 +227,8 @@ pub enum Period {
 }
 
 /// The number of derivatives, the value counted as the 0th, up to which two curves agree at t, that are taken to be the halves t ≤ 0 and t ≥ 0 of
-/// one curve: 0 is a jump, 1 continuous, 2 differentiable once, …; `None` iff they are one rational curve, or t is a pole. CU-108.
-#[doc(alias = "CU-108")]
+/// one curve: 0 is a jump, 1 continuous, 2 differentiable once, …; `None` iff they are one rational curve, or t is a pole. CU-15.
+#[doc(alias = "CU-15")]
 pub fn agreeing_derivatives<const D: usize>(
     before: &RationalCurve<D>,
     after: &RationalCurve<D>,

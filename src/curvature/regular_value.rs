@@ -5,19 +5,19 @@ use crate::linear::{Matrix, Vector};
 use crate::number::{Multivariate, Polynomial, Rational, Ring, SturmChain};
 
 /// Whether a is a critical value of a polynomial f: ℝ → ℝ, by gcd(f − a, f′) having a real root. There are at most deg f − 1, and
-/// one where f is constant: a set of measure zero. CU-301.
-#[doc(alias = "CU-301")]
+/// one where f is constant: a set of measure zero. CU-139.
+#[doc(alias = "CU-139")]
 pub fn is_critical_value(f: &Polynomial, a: &Rational) -> bool {
     let common = (f.clone() - &Polynomial::new(vec![a.clone()])).gcd(&f.derivative());
     // f = a: every point is critical.
     SturmChain::new(&common).is_none_or(|chain| chain.count_all() > 0)
 }
 
-/// The critical value of a polynomial of degree at most 2, at any solution of Hess f·x = −∇f(0): one value or none. CU-302, CU-308.
+/// The critical value of a polynomial of degree at most 2, at any solution of Hess f·x = −∇f(0): one value or none. CU-140, CU-146.
 ///
 /// Its other values, taken or not, are regular.
-#[doc(alias = "CU-302")]
-#[doc(alias = "CU-308")]
+#[doc(alias = "CU-140")]
+#[doc(alias = "CU-146")]
 pub fn critical_value_of_quadric<const N: usize>(f: &Multivariate<N>) -> Option<Rational> {
     let origin = std::array::from_fn(|_| Rational::new());
     let jet = Jet::of_polynomial(f, &origin);
@@ -25,21 +25,21 @@ pub fn critical_value_of_quadric<const N: usize>(f: &Multivariate<N>) -> Option<
     Some(f.evaluate(&critical.0))
 }
 
-/// Whether ∇f = 0 there. CU-308, CU-310.
-#[doc(alias = "CU-310")]
+/// Whether ∇f = 0 there. CU-146, CU-148.
+#[doc(alias = "CU-148")]
 pub fn is_critical_point<const N: usize>(f: &Multivariate<N>, at: &[Rational; N]) -> bool {
     Jet::of_polynomial(f, at).gradient.norm_squared().is_zero()
 }
 
-/// |p − c|² as a polynomial: its level sets of the values r² > 0 are the spheres about c. CU-303.
-#[doc(alias = "CU-303")]
+/// |p − c|² as a polynomial: its level sets of the values r² > 0 are the spheres about c. CU-141.
+#[doc(alias = "CU-141")]
 pub fn squared_distance<const N: usize>(c: &[Rational; N]) -> Multivariate<N> {
     let part = |i: usize| Multivariate::variable(i) - &Multivariate::constant(c[i].clone());
     (0..N).map(part).fold(Multivariate::integer(0), |sum, d| sum + &(d.clone() * &d))
 }
 
-/// x²/a² + y²/b² + z²/c² − 1 for a, b, c ≠ 0; `None` iff one is 0. CU-311.
-#[doc(alias = "CU-311")]
+/// x²/a² + y²/b² + z²/c² − 1 for a, b, c ≠ 0; `None` iff one is 0. CU-149.
+#[doc(alias = "CU-149")]
 pub fn ellipsoid(semi_axes: &[Rational; 3]) -> Option<Multivariate<3>> {
     if semi_axes.iter().any(Rational::is_zero) {
         return None;
@@ -52,8 +52,8 @@ pub fn ellipsoid(semi_axes: &[Rational; 3]) -> Option<Multivariate<3>> {
     Some(Multivariate::new([part(0), part(1), part(2), ([0; 3], Rational::from(-1))]))
 }
 
-/// x² + y² − z. CU-312.
-#[doc(alias = "CU-312")]
+/// x² + y² − z. CU-150.
+#[doc(alias = "CU-150")]
 pub fn paraboloid() -> Multivariate<3> {
     let square = |i: usize| Multivariate::variable(i) * &Multivariate::variable(i);
     square(0) + &square(1) - &Multivariate::variable(2)

@@ -6,10 +6,10 @@ use crate::linear::{Matrix, Vector};
 use crate::number::{Rational, Trivariate};
 
 /// The jet by central differences of the samples g\[i, j, k] around a grid point: exact for polynomials of degree 2, and
-/// for no others in general. CU-374.
+/// for no others in general. CU-212.
 ///
 /// ∂ᵢ ≈ (g[+eᵢ] − g[−eᵢ])/2, ∂ᵢᵢ ≈ g[+eᵢ] − 2g\[0] + g[−eᵢ], ∂ᵢⱼ ≈ (g[+eᵢ+eⱼ] − g[+eᵢ−eⱼ] − g[−eᵢ+eⱼ] + g[−eᵢ−eⱼ])/4.
-#[doc(alias = "CU-374")]
+#[doc(alias = "CU-212")]
 pub fn central_jet(samples: impl Fn([i64; 3]) -> Rational, at: [i64; 3]) -> Jet<Rational, 3> {
     let sample = |offset: [i64; 3]| samples(std::array::from_fn(|i| at[i] + offset[i]));
     let step = |i: usize, a: i64| std::array::from_fn(|k| if k == i { a } else { 0 });
@@ -29,7 +29,7 @@ pub fn central_jet(samples: impl Fn([i64; 3]) -> Rational, at: [i64; 3]) -> Jet<
     Jet { gradient: Vector(std::array::from_fn(first)), hessian: Matrix::from_fn(second), value }
 }
 
-/// The central jet of the samples that f∘T⁻¹ has on the grid: what is measured of the moved object. CU-374.
+/// The central jet of the samples that f∘T⁻¹ has on the grid: what is measured of the moved object. CU-212.
 pub fn moved_central_jet(f: &Trivariate, motion: &Affine, at: [i64; 3]) -> Jet<Rational, 3> {
     let moved = motion.moved(f);
     central_jet(|point| moved.evaluate(&point.map(Rational::from)), at)

@@ -3,12 +3,12 @@
 use crate::number::{Enclosure, Interval, Polynomial, Rational, Ring, Sign};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// The Taylor coefficients ∂ᵏf/k! of a function of D variables, for all multi-indices k with |k| ≤ N, each within an interval. CU-157.
+/// The Taylor coefficients ∂ᵏf/k! of a function of D variables, for all multi-indices k with |k| ≤ N, each within an interval. CU-129.
 ///
 /// Around a point they are those at the point; around a box, from [`Series::variables`] at intervals, the one interval holds
 /// the coefficient of every point of the box. A formula over [`Ring`], evaluated at series, gives the coefficients of its value.
 #[derive(Clone, Debug)]
-#[doc(alias = "CU-157")]
+#[doc(alias = "CU-129")]
 pub struct Series<const D: usize, const N: usize> {
     /// By [`index`].
     coefficients: Vec<Interval>,
@@ -108,14 +108,14 @@ impl<const D: usize, const N: usize> Series<D, N> {
         self.coefficients.iter().map(Interval::precision).max().unwrap_or(2)
     }
 
-    /// f²: as the product, but for its value, which is not negative. CU-157.
+    /// f²: as the product, but for its value, which is not negative. CU-129.
     pub fn square(&self) -> Series<D, N> {
         let mut product = self.clone() * self;
         product.coefficients[0] = self.coefficients[0].square();
         product
     }
 
-    /// 1/f; `None` where the interval of the value has 0 in it. From f·q = 1: q₀ = 1/f₀, qₙ = −(Σ fₖqₙ₋ₖ over k ≠ 0)/f₀. CU-157.
+    /// 1/f; `None` where the interval of the value has 0 in it. From f·q = 1: q₀ = 1/f₀, qₙ = −(Σ fₖqₙ₋ₖ over k ≠ 0)/f₀. CU-129.
     pub fn inverse(&self) -> Option<Series<D, N>> {
         let first = Interval::integer(1).checked_div(&self.coefficients[0])?;
         Some(self.solved(first.clone(), |sum, _| -sum * &first, |f, _, k, rest| f.coefficient(k).clone() * rest))
@@ -124,7 +124,7 @@ impl<const D: usize, const N: usize> Series<D, N> {
     /// √f, where f is known to be nowhere negative; `None` where its value's interval is below 0.
     ///
     /// From r² = f: r₀ = √f₀, rₙ = (fₙ − Σ rₖrₙ₋ₖ)/(2r₀), the sum over 0 < k < n. Where f may be 0 the derivatives of
-    /// the root may be anything. CU-157.
+    /// the root may be anything. CU-129.
     pub fn sqrt(&self) -> Option<Series<D, N>> {
         let root = self.coefficients[0].not_negative()?.sqrt()?;
         let twice = root.clone() + &root;
@@ -160,7 +160,7 @@ impl<const D: usize, const N: usize> Series<D, N> {
         Series { coefficients: known }
     }
 
-    /// (sin f, cos f). From s′ = f′c and c′ = −f′s along an axis i with nᵢ > 0: nᵢsₙ = Σ kᵢfₖcₙ₋ₖ, nᵢcₙ = −Σ kᵢfₖsₙ₋ₖ. CU-157.
+    /// (sin f, cos f). From s′ = f′c and c′ = −f′s along an axis i with nᵢ > 0: nᵢsₙ = Σ kᵢfₖcₙ₋ₖ, nᵢcₙ = −Σ kᵢfₖsₙ₋ₖ. CU-129.
     pub fn sin_cos(&self) -> (Series<D, N>, Series<D, N>) {
         let all = multi_indices::<D, N>();
         let (mut s, mut c) = (vec![self.coefficients[0].sin()], vec![self.coefficients[0].cos()]);

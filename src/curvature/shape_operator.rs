@@ -7,12 +7,12 @@ use super::jet::Jet;
 use crate::linear::{Matrix, Vector, determinant2, determinant3};
 use crate::number::{Polynomial, QuadraticRoots, Rational, Ring, Surd, quadratic_roots};
 
-/// S = −P·Hess f/|∇f|, P = I − NNᵀ: the matrix of −dN on ℝ³, N = +∇f/|∇f| on the level sets around. CU-341.
+/// S = −P·Hess f/|∇f|, P = I − NNᵀ: the matrix of −dN on ℝ³, N = +∇f/|∇f| on the level sets around. CU-179.
 ///
 /// |∇f|S is rational. On the tangent plane S is the shape operator, of eigenvalues k₁ ≥ k₂; its third eigenvalue is 0, with
 /// N as an eigenvector from the left, NᵀS = 0, and from the right only where Hess f·N is a multiple of N.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-341")]
+#[doc(alias = "CU-179")]
 pub struct ShapeOperator {
     gradient: Vector<Rational, 3>,
     hessian: Matrix<Rational, 3, 3>,
@@ -22,8 +22,8 @@ pub struct ShapeOperator {
     scaled: Matrix<Rational, 3, 3>,
 }
 
-/// P = I − vvᵀ/|v|²: the projection along v ≠ 0 to the plane across it. CU-343.
-#[doc(alias = "CU-343")]
+/// P = I − vvᵀ/|v|²: the projection along v ≠ 0 to the plane across it. CU-181.
+#[doc(alias = "CU-181")]
 pub fn projection(v: &Vector<Rational, 3>) -> Matrix<Rational, 3, 3> {
     let w = v.norm_squared();
     Matrix::from_fn(|i, j| Rational::from(i32::from(i == j)) - Rational::from(&v[i] * &v[j]) / &w)
@@ -79,8 +79,8 @@ impl ShapeOperator {
         Matrix::from_fn(|i, j| -over_root(&self.scaled.0[i][j], &self.w))
     }
 
-    /// tr S = k₁ + k₂ = 2H. CU-347.
-    #[doc(alias = "CU-347")]
+    /// tr S = k₁ + k₂ = 2H. CU-185.
+    #[doc(alias = "CU-185")]
     pub fn trace(&self) -> Surd {
         over_root(&trace(&self.scaled), &self.w)
     }
@@ -90,14 +90,14 @@ impl ShapeOperator {
         second_invariant(&self.scaled) / &self.w
     }
 
-    /// det(λI − |∇f|S) = λ(λ² − 2|∇f|Hλ + |∇f|²K), of the roots |∇f|k₁, |∇f|k₂, 0. CU-352.
-    #[doc(alias = "CU-352")]
+    /// det(λI − |∇f|S) = λ(λ² − 2|∇f|Hλ + |∇f|²K), of the roots |∇f|k₁, |∇f|k₂, 0. CU-190.
+    #[doc(alias = "CU-190")]
     pub fn characteristic(&self) -> Polynomial {
         let a = &self.scaled;
         Polynomial::new(vec![-determinant3(a), second_invariant(a), -trace(a), Rational::from(1)])
     }
 
-    /// |∇f|k₁ ≥ |∇f|k₂, in one field ℚ(√d). CU-352.
+    /// |∇f|k₁ ≥ |∇f|k₂, in one field ℚ(√d). CU-190.
     pub fn scaled_principal(&self) -> [Surd; 2] {
         let (one, sum, product) = (Rational::from(1), -trace(&self.scaled), second_invariant(&self.scaled));
         match quadratic_roots(&one, &sum, &product) {
@@ -109,40 +109,40 @@ impl ShapeOperator {
         }
     }
 
-    /// |∇f|SP = −P·Hess f·P: symmetric, of the eigenvectors v₁, v₂, N, and diag(k₁, k₂, 0) in that basis. CU-354.
-    #[doc(alias = "CU-354")]
+    /// |∇f|SP = −P·Hess f·P: symmetric, of the eigenvectors v₁, v₂, N, and diag(k₁, k₂, 0) in that basis. CU-192.
+    #[doc(alias = "CU-192")]
     pub fn tangential(&self) -> Matrix<Rational, 3, 3> {
         self.scaled.times(&projection(&self.gradient))
     }
 
-    /// |S|²_F = k₁² + k₂² + |SN|². CU-351.
-    #[doc(alias = "CU-351")]
+    /// |S|²_F = k₁² + k₂² + |SN|². CU-189.
+    #[doc(alias = "CU-189")]
     pub fn frobenius_squared(&self) -> Rational {
         frobenius_squared(&self.scaled) / &self.w
     }
 
-    /// k₁² + k₂² = |SP|²_F = tr(S²) = 4H² − 2K. CU-348.
-    #[doc(alias = "CU-348")]
+    /// k₁² + k₂² = |SP|²_F = tr(S²) = 4H² − 2K. CU-186.
+    #[doc(alias = "CU-186")]
     pub fn tangential_frobenius_squared(&self) -> Rational {
         frobenius_squared(&self.tangential()) / &self.w
     }
 
     /// SN = −P·Hess f·∇f/|∇f|²: minus the change of N along N, and −P∇(log |∇f|). It is 0 iff N is an eigenvector of S, iff S is
-    /// symmetric. CU-344, CU-351.
-    #[doc(alias = "CU-344")]
+    /// symmetric. CU-182, CU-189.
+    #[doc(alias = "CU-182")]
     pub fn along_normal(&self) -> Vector<Rational, 3> {
         self.scaled.apply(&self.gradient).map(|x| Rational::from(x / &self.w))
     }
 
-    /// adj(Hess f)·∇f, which S takes to 0; where K ≠ 0 it spans the kernel of S. CU-353.
-    #[doc(alias = "CU-353")]
+    /// adj(Hess f)·∇f, which S takes to 0; where K ≠ 0 it spans the kernel of S. CU-191.
+    #[doc(alias = "CU-191")]
     pub fn kernel(&self) -> Vector<Rational, 3> {
         adjugate(&self.hessian).apply(&self.gradient)
     }
 
-    /// N = +∇f/|∇f|, in ℚ(√|∇f|²), across ker(df). CU-314, CU-336.
-    #[doc(alias = "CU-314")]
-    #[doc(alias = "CU-336")]
+    /// N = +∇f/|∇f|, in ℚ(√|∇f|²), across ker(df). CU-152, CU-174.
+    #[doc(alias = "CU-152")]
+    #[doc(alias = "CU-174")]
     pub fn unit_normal(&self) -> Vector<Surd, 3> {
         unit(&self.gradient)
     }

@@ -21,11 +21,11 @@ pub struct SurfaceGeometry {
     pub mean: Surd,
 }
 
-/// Of a level surface, with N = +∇f/|∇f|. CU-333.
+/// Of a level surface, with N = +∇f/|∇f|. CU-171.
 ///
 /// # Errors
 /// iff ∇f = 0.
-#[doc(alias = "CU-333")]
+#[doc(alias = "CU-171")]
 pub fn of_level(jet: &Jet<Rational, 3>) -> Result<SurfaceGeometry, SingularPoint> {
     let level = implicit_surface::curvature(jet)?;
     let tangents = Axis::ALL.iter().find_map(|&axis| tangent_basis(jet, axis).ok());
@@ -34,7 +34,7 @@ pub fn of_level(jet: &Jet<Rational, 3>) -> Result<SurfaceGeometry, SingularPoint
     Ok(SurfaceGeometry { tangents, normal: level.unit_normal(), gaussian: level.gaussian, mean })
 }
 
-/// Of a parametrised surface, with N = σᵤ × σᵥ/|σᵤ × σᵥ|. CU-333.
+/// Of a parametrised surface, with N = σᵤ × σᵥ/|σᵤ × σᵥ|. CU-171.
 ///
 /// # Errors
 /// `Singular` iff σᵤ × σᵥ = 0.

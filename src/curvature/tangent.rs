@@ -11,9 +11,9 @@ use thiserror::Error;
 #[error("the vector is not tangent to the surface")]
 pub struct NotTangent;
 
-/// T_pS by its basis {σᵤ, σᵥ}, linearly independent. CU-218.
+/// T_pS by its basis {σᵤ, σᵥ}, linearly independent. CU-67.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-218")]
+#[doc(alias = "CU-67")]
 pub struct TangentPlane {
     /// σᵤ.
     pub u: Vector<Rational, 3>,
@@ -22,11 +22,11 @@ pub struct TangentPlane {
 }
 
 impl TangentPlane {
-    /// From the jets of x, y, z in (u, v). CU-204.
+    /// From the jets of x, y, z in (u, v). CU-53.
     ///
     /// # Errors
     /// `Singular` iff σᵤ × σᵥ = 0: iff σᵤ and σᵥ are linearly dependent.
-    #[doc(alias = "CU-204")]
+    #[doc(alias = "CU-53")]
     pub fn new(surface: &[Jet<Rational, 2>; 3]) -> Result<TangentPlane, SurfaceError> {
         let [u, v] = [0, 1].map(|i| Vector(surface.each_ref().map(|x| x.gradient[i].clone())));
         match u.cross(&v) == Vector::zero() {
@@ -41,17 +41,17 @@ impl TangentPlane {
     }
 
     /// dσ(a, b) = aσᵤ + bσᵥ.
-    #[doc(alias = "CU-217")]
+    #[doc(alias = "CU-66")]
     pub fn vector(&self, [a, b]: &[Rational; 2]) -> Vector<Rational, 3> {
         self.u.scaled(a) + &self.v.scaled(b)
     }
 
-    /// The (a, b) with w = aσᵤ + bσᵥ, those of the velocity of any curve σ(u(t), v(t)) with α′(0) = w. CU-219.
+    /// The (a, b) with w = aσᵤ + bσᵥ, those of the velocity of any curve σ(u(t), v(t)) with α′(0) = w. CU-68.
     ///
     /// # Errors
     /// Iff w is not tangent: ⟨w, σᵤ × σᵥ⟩ ≠ 0.
-    #[doc(alias = "CU-219")]
-    #[doc(alias = "CU-215")]
+    #[doc(alias = "CU-68")]
+    #[doc(alias = "CU-64")]
     pub fn coordinates(&self, w: &Vector<Rational, 3>) -> Result<[Rational; 2], NotTangent> {
         if !w.dot(&self.normal_w()).is_zero() {
             return Err(NotTangent);
@@ -60,19 +60,19 @@ impl TangentPlane {
         Ok(solve(&self.gram(), &products).expect("EG − F² = |σᵤ × σᵥ|² > 0").0)
     }
 
-    /// (E F; F G): E = ⟨σᵤ, σᵤ⟩, F = ⟨σᵤ, σᵥ⟩, G = ⟨σᵥ, σᵥ⟩. CU-227.
-    #[doc(alias = "CU-227")]
-    #[doc(alias = "CU-228")]
+    /// (E F; F G): E = ⟨σᵤ, σᵤ⟩, F = ⟨σᵤ, σᵥ⟩, G = ⟨σᵥ, σᵥ⟩. CU-75.
+    #[doc(alias = "CU-75")]
+    #[doc(alias = "CU-76")]
     pub fn gram(&self) -> Matrix<Rational, 2, 2> {
         let basis = [&self.u, &self.v];
         Matrix::from_fn(|i, j| basis[i].dot(basis[j]))
     }
 
     /// I_p(w) = ⟨w, w⟩ = Ea² + 2Fab + Gb² for w = aσᵤ + bσᵥ: a quadratic form on T_pS, positive but for w = 0.
-    /// CU-224, CU-225, CU-226.
-    #[doc(alias = "CU-224")]
-    #[doc(alias = "CU-225")]
-    #[doc(alias = "CU-226")]
+    /// CU-72, CU-73, CU-74.
+    #[doc(alias = "CU-72")]
+    #[doc(alias = "CU-73")]
+    #[doc(alias = "CU-74")]
     pub fn first_form(&self, [a, b]: &[Rational; 2]) -> Rational {
         let Matrix([[e, f], [_, g]]) = self.gram();
         e * Rational::from(a.square_ref()) + f * Rational::from(a * b) * 2_u32 + g * Rational::from(b.square_ref())
@@ -80,13 +80,13 @@ impl TangentPlane {
 }
 
 /// The matrix of dφ: T_pS₁ → T_φ(p)S₂ in the bases {σ₁ᵤ, σ₁ᵥ} and {σ₂ᵤ, σ₂ᵥ}, from the jets of φ∘σ₁; its columns are
-/// the coordinates of (φ∘σ₁)ᵤ and (φ∘σ₁)ᵥ. CU-220.
+/// the coordinates of (φ∘σ₁)ᵤ and (φ∘σ₁)ᵥ. CU-69.
 ///
 /// # Errors
 /// Iff φ does not map into a surface with that tangent plane.
-#[doc(alias = "CU-220")]
-#[doc(alias = "CU-221")]
-#[doc(alias = "CU-213")]
+#[doc(alias = "CU-69")]
+#[doc(alias = "CU-70")]
+#[doc(alias = "CU-62")]
 pub fn differential(
     image: &[Jet<Rational, 2>; 3],
     target: &TangentPlane,
@@ -96,8 +96,8 @@ pub fn differential(
     Ok(Matrix::from_columns(&[Vector(u), Vector(v)]))
 }
 
-/// The surface moved: p ↦ Ap + b. CU-208.
-#[doc(alias = "CU-208")]
+/// The surface moved: p ↦ Ap + b. CU-57.
+#[doc(alias = "CU-57")]
 pub fn moved(
     surface: &[Jet<Rational, 2>; 3],
     a: &Matrix<Rational, 3, 3>,

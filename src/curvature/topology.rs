@@ -9,9 +9,9 @@ use crate::number::{Integer, Rational};
 use std::collections::BTreeMap;
 use thiserror::Error;
 
-/// The families of the text's theorem 3.31. CU-289.
+/// The families of the text's theorem 3.31. CU-236.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[doc(alias = "CU-289")]
+#[doc(alias = "CU-236")]
 pub enum Family {
     /// The sphere.
     Sphere,
@@ -22,8 +22,8 @@ pub enum Family {
 }
 
 impl Family {
-    /// χ = 2; 2 − 2g; 2 − g (002, definition 3.32). CU-290.
-    #[doc(alias = "CU-290")]
+    /// χ = 2; 2 − 2g; 2 − g (002, definition 3.32). CU-237.
+    #[doc(alias = "CU-237")]
     pub fn euler_characteristic(self) -> i64 {
         match self {
             Family::Sphere => 2,
@@ -42,7 +42,7 @@ impl Family {
     }
 
     /// "As superfícies nas duas primeiras famílias são orientáveis […] e no último item temos que as superfícies são
-    /// não orientáveis": what the text says of whether it is orientable. It is wrong for Bands(0). CU-289.
+    /// não orientáveis": what the text says of whether it is orientable. It is wrong for Bands(0). CU-236.
     pub fn is_orientable_printed(self) -> bool {
         match self {
             Family::Sphere | Family::Handles(_) => true,
@@ -51,9 +51,9 @@ impl Family {
     }
 
     /// The text's construction as connected sums: g times a disc is replaced by a torus less a disc, or by a projective
-    /// plane less a disc, which is a Möbius band; on the icosahedron. CU-288.
-    #[doc(alias = "CU-288")]
-    #[doc(alias = "CU-229")]
+    /// plane less a disc, which is a Möbius band; on the icosahedron. CU-235.
+    #[doc(alias = "CU-235")]
+    #[doc(alias = "CU-233")]
     pub fn triangulation(self) -> SimplicialComplex {
         let (part, times) = match self {
             Family::Sphere => return icosahedron(),
@@ -72,11 +72,11 @@ impl Family {
 
 /// A sphere with handles as the text makes it: for each, two disjoint discs are taken out, and a tube is glued to
 /// their borders so that an orientation of the sphere goes on along it (002, example 3.28). `mirrored` handles are
-/// glued the other way; one of them makes the surface one-sided. CU-287.
+/// glued the other way; one of them makes the surface one-sided. CU-234.
 ///
 /// # Errors
 /// Iff the triangles of the subdivided icosahedron do not suffice for so many.
-#[doc(alias = "CU-287")]
+#[doc(alias = "CU-234")]
 pub fn sphere_with_tubes(handles: usize, mirrored: usize) -> Result<SimplicialComplex, NoRoom> {
     let sphere = barycentric_subdivision(&icosahedron());
     let triangles = oriented(&sphere).expect("a surface").expect("a sphere is orientable");
@@ -153,12 +153,12 @@ fn places(triangles: &[[u32; 3]]) -> Result<Places, OrientationError> {
 }
 
 /// The triangles of a surface, each inner edge run along both ways: an orientation, found by passing from triangle to
-/// triangle; `None` iff there is none. CU-280.
+/// triangle; `None` iff there is none. CU-226.
 ///
 /// # Errors
 /// `Edge` iff an edge has more than two triangles.
-#[doc(alias = "CU-280")]
-#[doc(alias = "CU-282")]
+#[doc(alias = "CU-226")]
+#[doc(alias = "CU-228")]
 pub fn oriented(surface: &SimplicialComplex) -> Result<Option<Vec<[u32; 3]>>, OrientationError> {
     let triangles = triangles(surface);
     let places = places(&triangles)?;
@@ -190,7 +190,7 @@ pub fn oriented(surface: &SimplicialComplex) -> Result<Option<Vec<[u32; 3]>>, Or
 }
 
 /// How many choices of a direction for each triangle run along every inner edge both ways, by trying all: 2 to the
-/// number of components for an orientable surface, 0 for another. CU-280.
+/// number of components for an orientable surface, 0 for another. CU-226.
 ///
 /// # Errors
 /// `Edge` as for [`oriented`], else `TooMany` iff there are more than 20 triangles.
@@ -208,7 +208,7 @@ pub fn orientation_count(surface: &SimplicialComplex) -> Result<u32, Orientation
 }
 
 /// The barycentric subdivision: a vertex for each simplex, numbered in order, a simplex for each chain of faces. It is
-/// homeomorphic to the complex. CU-290.
+/// homeomorphic to the complex. CU-237.
 pub fn barycentric_subdivision(complex: &SimplicialComplex) -> SimplicialComplex {
     let number: BTreeMap<&Simplex, u32> = complex.simplices().zip(0..).collect();
     let chains = complex.maximal().into_iter().flat_map(|simplex| {
@@ -229,8 +229,8 @@ pub fn barycentric_subdivision(complex: &SimplicialComplex) -> SimplicialComplex
     SimplicialComplex::new(simplices.collect::<Vec<_>>())
 }
 
-/// n points of the curve (t, t², t³, t⁴), t = 1, …, n, any five of them affinely independent. CU-286.
-#[doc(alias = "CU-286")]
+/// n points of the curve (t, t², t³, t⁴), t = 1, …, n, any five of them affinely independent. CU-232.
+#[doc(alias = "CU-232")]
 pub fn moment_curve(n: u32) -> Vec<Vector<Rational, 4>> {
     let power = |t: u32, n: u32| Rational::from(Integer::from(Integer::u_pow_u(t, n)));
     (1..=n).map(|t| Vector(std::array::from_fn(|i| power(t, i as u32 + 1)))).collect()

@@ -31,9 +31,9 @@ impl Angle {
 /// A polynomial in cos θ, sin θ, cos φ, sin φ and N − 4 further variables, such as a radius.
 ///
 /// Normal form: sin² = 1 − cos² leaves each sine with the exponent 0 or 1. Two of them are equal iff they are the same
-/// function of the angles and the further variables, for 1 and sin θ are independent over ℚ(cos θ). CU-201.
+/// function of the angles and the further variables, for 1 and sin θ are independent over ℚ(cos θ). CU-50.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "CU-201")]
+#[doc(alias = "CU-50")]
 pub struct Trigonometric<const N: usize>(Multivariate<N>);
 
 impl<const N: usize> Trigonometric<N> {

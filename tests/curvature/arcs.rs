@@ -32,7 +32,7 @@ fn length(curve: &RationalCurve<2>, from: &Rational, to: &Rational, goal: &Goal)
     length.value
 }
 
-mod cu_112 {
+mod cu_19 {
     use super::*;
 
     #[test]
@@ -86,7 +86,7 @@ mod cu_112 {
     }
 }
 
-mod cu_113 {
+mod cu_20 {
     use super::*;
 
     proptest! {
@@ -133,7 +133,7 @@ mod cu_113 {
     }
 }
 
-mod cu_114 {
+mod cu_21 {
     use super::*;
 
     #[test]
@@ -150,7 +150,7 @@ mod cu_114 {
     }
 }
 
-mod cu_115 {
+mod cu_22 {
     use super::*;
 
     #[test]
@@ -170,7 +170,7 @@ mod cu_115 {
     }
 }
 
-mod cu_116 {
+mod cu_23 {
     use super::*;
 
     #[test]
@@ -197,7 +197,7 @@ mod cu_116 {
     }
 }
 
-mod cu_117 {
+mod cu_24 {
     use super::*;
 
     #[test]
@@ -232,7 +232,7 @@ mod cu_117 {
     }
 }
 
-mod cu_118 {
+mod cu_25 {
     use super::*;
 
     proptest! {
@@ -250,7 +250,7 @@ mod cu_118 {
     }
 }
 
-mod cu_119 {
+mod cu_26 {
     use super::*;
 
     #[test]
@@ -285,7 +285,7 @@ mod cu_119 {
     }
 }
 
-mod cu_120 {
+mod cu_27 {
     use super::*;
 
     #[test]
@@ -303,7 +303,7 @@ mod cu_120 {
     }
 }
 
-mod cu_121 {
+mod cu_28 {
     use super::*;
 
     #[test]
@@ -346,7 +346,7 @@ mod cu_121 {
     }
 }
 
-mod cu_158 {
+mod cu_29 {
     use super::*;
 
     #[test]

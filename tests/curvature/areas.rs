@@ -56,7 +56,7 @@ fn pi_times(n: i64, d: i64) -> Interval {
     Interval::pi(200) * &Interval::from_rational(&q(n, d), 200)
 }
 
-mod cu_149 {
+mod cu_121 {
     use super::*;
 
     #[test]
@@ -78,7 +78,7 @@ mod cu_149 {
     }
 }
 
-mod cu_150 {
+mod cu_122 {
     use super::*;
 
     #[test]
@@ -149,7 +149,7 @@ mod cu_150 {
     }
 }
 
-mod cu_151 {
+mod cu_123 {
     use super::*;
 
     proptest! {
@@ -194,7 +194,7 @@ mod cu_151 {
     }
 }
 
-mod cu_152 {
+mod cu_124 {
     use super::*;
 
     #[test]
@@ -219,7 +219,7 @@ mod cu_152 {
     }
 }
 
-mod cu_153 {
+mod cu_125 {
     use super::*;
 
     proptest! {
@@ -248,7 +248,7 @@ mod cu_153 {
     }
 }
 
-mod cu_154 {
+mod cu_126 {
     use super::*;
 
     #[test]

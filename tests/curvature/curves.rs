@@ -57,7 +57,7 @@ pub fn parameter() -> impl Strategy<Value = Rational> {
     (-9..=9_i64, 1..=4_i64).prop_map(Rational::from)
 }
 
-mod cu_101 {
+mod cu_8 {
     use super::*;
 
     #[test]
@@ -72,7 +72,7 @@ mod cu_101 {
     }
 }
 
-mod cu_102 {
+mod cu_9 {
     use super::*;
 
     proptest! {
@@ -110,7 +110,7 @@ mod cu_102 {
     }
 }
 
-mod cu_103 {
+mod cu_10 {
     use super::*;
 
     #[test]
@@ -146,7 +146,7 @@ mod cu_103 {
     }
 }
 
-mod cu_104 {
+mod cu_11 {
     use super::*;
 
     #[test]
@@ -189,7 +189,7 @@ mod cu_104 {
     }
 }
 
-mod cu_105 {
+mod cu_12 {
     use super::*;
 
     #[test]
@@ -224,7 +224,7 @@ mod cu_105 {
     }
 }
 
-mod cu_106 {
+mod cu_13 {
     use super::*;
     use isoracle::curvature::frame::Frame;
 
@@ -260,7 +260,7 @@ mod cu_106 {
     }
 }
 
-mod cu_107 {
+mod cu_14 {
     use super::*;
 
     #[test]
@@ -272,7 +272,7 @@ mod cu_107 {
     }
 }
 
-mod cu_108 {
+mod cu_15 {
     use super::*;
 
     #[test]
@@ -297,7 +297,7 @@ mod cu_108 {
     }
 }
 
-mod cu_109 {
+mod cu_16 {
     use super::*;
 
     #[test]
@@ -308,7 +308,7 @@ mod cu_109 {
     }
 }
 
-mod cu_110 {
+mod cu_17 {
     use super::*;
 
     #[test]
@@ -338,7 +338,7 @@ mod cu_110 {
     }
 }
 
-mod cu_111 {
+mod cu_18 {
     use super::*;
 
     #[test]
@@ -351,7 +351,7 @@ mod cu_111 {
     }
 }
 
-mod cu_159 {
+mod cu_30 {
     use super::*;
 
     #[test]
@@ -388,7 +388,7 @@ mod cu_159 {
     }
 }
 
-mod cu_160 {
+mod cu_31 {
     use super::*;
     use isoracle::curvature::crossing::resultant;
 

@@ -29,7 +29,7 @@ fn parabola() -> RationalCurve<2> {
     curve(&[0, 1], &[0, 0, 1])
 }
 
-mod cu_122 {
+mod cu_32 {
     use super::*;
 
     proptest! {
@@ -52,7 +52,7 @@ mod cu_122 {
     }
 }
 
-mod cu_123 {
+mod cu_33 {
     use super::*;
 
     #[test]
@@ -67,7 +67,7 @@ mod cu_123 {
     }
 }
 
-mod cu_124 {
+mod cu_34 {
     use super::*;
 
     proptest! {
@@ -83,7 +83,7 @@ mod cu_124 {
     }
 }
 
-mod cu_125 {
+mod cu_35 {
     use super::*;
 
     #[test]
@@ -96,7 +96,7 @@ mod cu_125 {
     }
 }
 
-mod cu_126 {
+mod cu_36 {
     use super::*;
 
     proptest! {
@@ -122,7 +122,7 @@ mod cu_126 {
     }
 }
 
-mod cu_127 {
+mod cu_37 {
     use super::*;
 
     proptest! {
@@ -143,7 +143,7 @@ mod cu_127 {
     }
 }
 
-mod cu_128 {
+mod cu_38 {
     use super::*;
 
     proptest! {
@@ -171,7 +171,7 @@ mod cu_128 {
     }
 }
 
-mod cu_129 {
+mod cu_39 {
     use super::*;
 
     proptest! {
@@ -201,7 +201,7 @@ mod cu_129 {
     }
 }
 
-mod cu_130 {
+mod cu_40 {
     use super::*;
 
     #[test]
@@ -230,7 +230,7 @@ mod cu_130 {
     }
 }
 
-mod cu_131 {
+mod cu_41 {
     use super::*;
 
     #[test]
@@ -267,7 +267,7 @@ mod cu_131 {
     }
 }
 
-mod cu_132 {
+mod cu_42 {
     use super::*;
 
     #[test]
@@ -293,7 +293,7 @@ mod cu_132 {
     }
 }
 
-mod cu_133 {
+mod cu_43 {
     use super::*;
 
     #[test]
@@ -310,7 +310,7 @@ mod cu_133 {
     }
 }
 
-mod cu_134 {
+mod cu_44 {
     use super::*;
     use isoracle::curvature::rational_curve::Period;
     use isoracle::curvature::circle_polynomial::least_period;
@@ -329,7 +329,7 @@ mod cu_134 {
     }
 }
 
-mod cu_135 {
+mod cu_45 {
     use super::*;
     use crate::quadrature::is_within;
     use isoracle::curvature::arc_length::length_of_turns;
@@ -365,7 +365,7 @@ mod cu_135 {
     }
 }
 
-mod cu_136 {
+mod cu_46 {
     use super::*;
 
     #[test]
@@ -382,7 +382,7 @@ mod cu_136 {
     }
 }
 
-mod cu_137 {
+mod cu_47 {
     use super::*;
 
     proptest! {
@@ -411,7 +411,7 @@ mod cu_137 {
     }
 }
 
-mod cu_138 {
+mod cu_48 {
     use super::*;
 
     proptest! {
@@ -435,7 +435,7 @@ mod cu_138 {
     }
 }
 
-mod cu_139 {
+mod cu_49 {
     use super::*;
     use crate::quadrature::is_within;
     use isoracle::curvature::arc_length::length_of_turns;

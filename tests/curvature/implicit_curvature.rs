@@ -14,7 +14,7 @@ fn square<const N: usize>(x: &Multivariate<N>) -> Multivariate<N> {
     x.clone() * x
 }
 
-mod cu_326 {
+mod cu_164 {
     use super::*;
 
     #[test]
@@ -37,7 +37,7 @@ mod cu_326 {
     }
 }
 
-mod cu_327 {
+mod cu_165 {
     use super::*;
 
     #[test]
@@ -65,7 +65,7 @@ mod cu_327 {
     }
 }
 
-mod cu_328 {
+mod cu_166 {
     use super::*;
 
     #[test]
@@ -93,7 +93,7 @@ mod cu_328 {
     }
 }
 
-mod cu_329 {
+mod cu_167 {
     use super::*;
 
     #[test]
@@ -117,7 +117,7 @@ mod cu_329 {
     }
 }
 
-mod cu_330 {
+mod cu_168 {
     use super::*;
 
     const PERMUTATIONS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
@@ -145,7 +145,7 @@ mod cu_330 {
     }
 }
 
-mod cu_331 {
+mod cu_169 {
     use super::*;
 
     #[test]
@@ -175,7 +175,7 @@ mod cu_331 {
     }
 }
 
-mod cu_333 {
+mod cu_171 {
     use super::*;
 
     fn on_the_sphere(u: &Rational, v: &Rational) -> [Jet<Rational, 2>; 3] {
@@ -221,7 +221,7 @@ mod cu_333 {
     }
 }
 
-mod cu_334 {
+mod cu_172 {
     use super::*;
 
     #[test]
@@ -238,7 +238,7 @@ mod cu_334 {
     }
 }
 
-mod cu_335 {
+mod cu_173 {
     use super::*;
 
     #[test]

@@ -48,7 +48,7 @@ fn is_a_graph<const N: usize>(
     Ok(())
 }
 
-mod cu_305 {
+mod cu_143 {
     use super::*;
 
     #[test]
@@ -73,7 +73,7 @@ mod cu_305 {
     }
 }
 
-mod cu_306 {
+mod cu_144 {
     use super::*;
 
     proptest! {
@@ -104,7 +104,7 @@ mod cu_306 {
     }
 }
 
-mod cu_307 {
+mod cu_145 {
     use super::*;
 
     proptest! {
@@ -127,7 +127,7 @@ mod cu_307 {
     }
 }
 
-mod cu_309 {
+mod cu_147 {
     use super::*;
 
     #[test]
@@ -152,7 +152,7 @@ mod cu_309 {
     }
 }
 
-mod cu_315 {
+mod cu_153 {
     use super::*;
 
     proptest! {

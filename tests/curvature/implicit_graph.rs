@@ -26,7 +26,7 @@ fn surface(jet: &Jet<Rational, 3>) -> Option<[Jet<Rational, 2>; 3]> {
     Some([x, y, g])
 }
 
-mod cu_316 {
+mod cu_154 {
     use super::*;
 
     #[test]
@@ -47,7 +47,7 @@ mod cu_316 {
     }
 }
 
-mod cu_317 {
+mod cu_155 {
     use super::*;
 
     proptest! {
@@ -73,7 +73,7 @@ mod cu_317 {
     }
 }
 
-mod cu_318 {
+mod cu_156 {
     use super::*;
 
     proptest! {
@@ -89,7 +89,7 @@ mod cu_318 {
     }
 }
 
-mod cu_320 {
+mod cu_158 {
     use super::*;
 
     #[test]
@@ -145,7 +145,7 @@ fn second_form_is_normal_times_second_derivative(jet: &Jet<Rational, 3>, i: usiz
     Ok(())
 }
 
-mod cu_321 {
+mod cu_159 {
     use super::*;
 
     #[test]
@@ -172,7 +172,7 @@ mod cu_321 {
     }
 }
 
-mod cu_322 {
+mod cu_160 {
     use super::*;
 
     #[test]
@@ -188,7 +188,7 @@ mod cu_322 {
     }
 }
 
-mod cu_323 {
+mod cu_161 {
     use super::*;
 
     #[test]
@@ -204,7 +204,7 @@ mod cu_323 {
     }
 }
 
-mod cu_324 {
+mod cu_162 {
     use super::*;
 
     #[test]
@@ -234,7 +234,7 @@ mod cu_324 {
     }
 }
 
-mod cu_325 {
+mod cu_163 {
     use super::*;
 
     #[test]
@@ -262,7 +262,7 @@ mod cu_325 {
     }
 }
 
-mod cu_332 {
+mod cu_170 {
     use super::*;
 
     proptest! {

@@ -46,7 +46,7 @@ fn elements_of(curve: &RationalCurve<2>, t: &Rational) -> CurveElements {
     CurveElements { tangent: frame.tangent(), normal: frame.normal(), kappa: frame.kappa() }
 }
 
-mod cu_140 {
+mod cu_130 {
     use super::*;
 
     proptest! {
@@ -77,7 +77,7 @@ mod cu_140 {
     }
 }
 
-mod cu_141 {
+mod cu_131 {
     use super::*;
 
     proptest! {
@@ -94,7 +94,7 @@ mod cu_141 {
     }
 }
 
-mod cu_142 {
+mod cu_132 {
     use super::*;
 
     proptest! {
@@ -119,7 +119,7 @@ mod cu_142 {
     }
 }
 
-mod cu_143 {
+mod cu_133 {
     use super::*;
 
     #[test]
@@ -144,7 +144,7 @@ mod cu_143 {
     }
 }
 
-mod cu_144 {
+mod cu_134 {
     use super::*;
 
     #[test]
@@ -189,7 +189,7 @@ mod cu_144 {
     }
 }
 
-mod cu_145 {
+mod cu_135 {
     use super::*;
 
     #[test]
@@ -203,7 +203,7 @@ mod cu_145 {
     }
 }
 
-mod cu_146 {
+mod cu_136 {
     use super::*;
 
     #[test]
@@ -230,7 +230,7 @@ mod cu_146 {
     }
 }
 
-mod cu_147 {
+mod cu_137 {
     use super::*;
     use isoracle::curvature::rational_curve::SingularParameters;
 
@@ -260,7 +260,7 @@ mod cu_147 {
     }
 }
 
-mod cu_148 {
+mod cu_138 {
     use super::*;
 
     proptest! {

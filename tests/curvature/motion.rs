@@ -53,7 +53,7 @@ fn surface() -> impl Strategy<Value = [Jet<Rational, 2>; 3]> {
     })
 }
 
-mod cu_366 {
+mod cu_204 {
     use super::*;
 
     #[test]
@@ -73,7 +73,7 @@ mod cu_366 {
     }
 }
 
-mod cu_367 {
+mod cu_205 {
     use super::*;
 
     proptest! {
@@ -89,7 +89,7 @@ mod cu_367 {
     }
 }
 
-mod cu_368 {
+mod cu_206 {
     use super::*;
 
     proptest! {
@@ -109,7 +109,7 @@ mod cu_368 {
     }
 }
 
-mod cu_369 {
+mod cu_207 {
     use super::*;
 
     proptest! {
@@ -140,7 +140,7 @@ mod cu_369 {
     }
 }
 
-mod cu_370 {
+mod cu_208 {
     use super::*;
 
     proptest! {
@@ -162,7 +162,7 @@ mod cu_370 {
     }
 }
 
-mod cu_371 {
+mod cu_209 {
     use super::*;
 
     #[test]
@@ -199,7 +199,7 @@ mod cu_371 {
     }
 }
 
-mod cu_372 {
+mod cu_210 {
     use super::*;
 
     #[test]
@@ -245,7 +245,7 @@ mod cu_372 {
     }
 }
 
-mod cu_375 {
+mod cu_213 {
     use super::*;
 
     proptest! {
@@ -288,7 +288,7 @@ mod cu_375 {
     }
 }
 
-mod cu_376 {
+mod cu_214 {
     use super::*;
 
     proptest! {
@@ -324,7 +324,7 @@ mod cu_376 {
     }
 }
 
-mod cu_377 {
+mod cu_215 {
     use super::*;
 
     proptest! {
@@ -367,7 +367,7 @@ mod cu_377 {
     }
 }
 
-mod cu_378 {
+mod cu_216 {
     use super::*;
 
     proptest! {
@@ -399,7 +399,7 @@ mod cu_378 {
     }
 }
 
-mod cu_380 {
+mod cu_218 {
     use super::*;
 
     proptest! {

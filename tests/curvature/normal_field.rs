@@ -15,7 +15,7 @@ fn surds(v: &Vector<Rational, 3>) -> Vector<Surd, 3> {
     v.map(|x| Surd::from(x.clone()))
 }
 
-mod cu_314 {
+mod cu_152 {
     use super::*;
 
     proptest! {
@@ -36,7 +36,7 @@ mod cu_314 {
     }
 }
 
-mod cu_336 {
+mod cu_174 {
     use super::*;
 
     #[test]
@@ -48,7 +48,7 @@ mod cu_336 {
     }
 }
 
-mod cu_339 {
+mod cu_177 {
     use super::*;
 
     proptest! {
@@ -71,7 +71,7 @@ mod cu_339 {
     }
 }
 
-mod cu_342 {
+mod cu_180 {
     use super::*;
 
     proptest! {
@@ -85,7 +85,7 @@ mod cu_342 {
     }
 }
 
-mod cu_343 {
+mod cu_181 {
     use super::*;
 
     proptest! {

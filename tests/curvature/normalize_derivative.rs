@@ -20,7 +20,7 @@ fn slope() -> impl Strategy<Value = Rational> {
     (1..=9_i64, 1..=5_i64).prop_map(|(n, d)| q(n, d))
 }
 
-mod cu_362 {
+mod cu_200 {
     use super::*;
 
     proptest! {
@@ -45,7 +45,7 @@ mod cu_362 {
     }
 }
 
-mod cu_363 {
+mod cu_201 {
     use super::*;
 
     proptest! {
@@ -84,7 +84,7 @@ mod cu_363 {
     }
 }
 
-mod cu_364 {
+mod cu_202 {
     use super::*;
 
     #[test]
@@ -120,7 +120,7 @@ mod cu_364 {
     }
 }
 
-mod cu_365 {
+mod cu_203 {
     use super::*;
 
     proptest! {
@@ -152,7 +152,7 @@ mod cu_365 {
     }
 }
 
-mod cu_379 {
+mod cu_217 {
     use super::*;
 
     proptest! {

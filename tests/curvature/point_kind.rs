@@ -12,7 +12,7 @@ fn at_origin(f: &isoracle::number::Multivariate<3>) -> LevelSurface {
     implicit_surface::curvature(&Jet::of_polynomial(f, &[q(0, 1), q(0, 1), q(0, 1)])).expect("f_z = 1")
 }
 
-mod cu_355 {
+mod cu_193 {
     use super::*;
 
     proptest! {
@@ -61,7 +61,7 @@ mod cu_355 {
     }
 }
 
-mod cu_359 {
+mod cu_197 {
     use super::*;
 
     #[test]
@@ -119,7 +119,7 @@ mod cu_359 {
     }
 }
 
-mod cu_361 {
+mod cu_199 {
     use super::*;
 
     proptest! {

@@ -25,7 +25,7 @@ fn length(jet: &Jet<Rational, 3>) -> Surd {
     Surd::sqrt(&jet.gradient.norm_squared()).expect("a sum of squares")
 }
 
-mod cu_356 {
+mod cu_194 {
     use super::*;
 
     proptest! {
@@ -74,7 +74,7 @@ mod cu_356 {
     }
 }
 
-mod cu_357 {
+mod cu_195 {
     use super::*;
 
     #[test]
@@ -126,7 +126,7 @@ mod cu_357 {
     }
 }
 
-mod cu_358 {
+mod cu_196 {
     use super::*;
 
     proptest! {
@@ -145,7 +145,7 @@ mod cu_358 {
     }
 }
 
-mod cu_360 {
+mod cu_198 {
     use super::*;
 
     proptest! {

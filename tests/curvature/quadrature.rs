@@ -23,7 +23,7 @@ fn number() -> impl Strategy<Value = Rational> {
     (-12..=12_i64, 1..=5_i64).prop_map(Rational::from)
 }
 
-mod cu_155 {
+mod cu_127 {
     use super::*;
     use isoracle::curvature::arc_length::antiderivative;
 
@@ -105,7 +105,7 @@ mod cu_155 {
     }
 }
 
-mod cu_156 {
+mod cu_128 {
     use super::*;
 
     #[test]
@@ -151,7 +151,7 @@ mod cu_156 {
     }
 }
 
-mod cu_157 {
+mod cu_129 {
     use super::*;
 
     /// The Taylor coefficient ∂ᵏf/k! of a polynomial at a point, exactly.

@@ -17,7 +17,7 @@ fn integers(coefficients: &[i64]) -> Polynomial {
     Polynomial::new(coefficients.iter().map(|&c| Rational::from(c)).collect())
 }
 
-mod cu_301 {
+mod cu_139 {
     use super::*;
 
     #[test]
@@ -68,7 +68,7 @@ mod cu_301 {
     }
 }
 
-mod cu_302 {
+mod cu_140 {
     use super::*;
 
     #[test]
@@ -108,7 +108,7 @@ mod cu_302 {
     }
 }
 
-mod cu_303 {
+mod cu_141 {
     use super::*;
 
     proptest! {
@@ -132,7 +132,7 @@ mod cu_303 {
     }
 }
 
-mod cu_304 {
+mod cu_142 {
     use super::*;
 
     #[test]
@@ -153,7 +153,7 @@ mod cu_304 {
     }
 }
 
-mod cu_308 {
+mod cu_146 {
     use super::*;
 
     #[test]
@@ -174,7 +174,7 @@ mod cu_308 {
     }
 }
 
-mod cu_310 {
+mod cu_148 {
     use super::*;
 
     #[test]
@@ -190,7 +190,7 @@ mod cu_310 {
     }
 }
 
-mod cu_311 {
+mod cu_149 {
     use super::*;
 
     proptest! {
@@ -217,7 +217,7 @@ mod cu_311 {
     }
 }
 
-mod cu_312 {
+mod cu_150 {
     use super::*;
 
     proptest! {
@@ -232,7 +232,7 @@ mod cu_312 {
     }
 }
 
-mod cu_313 {
+mod cu_151 {
     use super::*;
 
     proptest! {
@@ -267,7 +267,7 @@ mod cu_313 {
     }
 }
 
-mod cu_319 {
+mod cu_157 {
     use super::*;
 
     #[test]

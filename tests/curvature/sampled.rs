@@ -37,7 +37,7 @@ fn grid_symmetries() -> Vec<Orthogonal> {
     signed.map(|s| Orthogonal::new(matrix(s)).expect("orthogonal")).collect()
 }
 
-mod cu_373 {
+mod cu_211 {
     use super::*;
 
     #[test]
@@ -76,7 +76,7 @@ mod cu_373 {
     }
 }
 
-mod cu_374 {
+mod cu_212 {
     use super::*;
 
     fn curvature(jet: &Jet<Rational, 3>) -> (Rational, Rational) {

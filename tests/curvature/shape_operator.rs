@@ -41,7 +41,7 @@ fn derivative_of_the_projection(f: &isoracle::number::Multivariate<3>, at: &[Rat
     Some(Matrix::from_fn(entry))
 }
 
-mod cu_337 {
+mod cu_175 {
     use super::*;
 
     #[test]
@@ -68,7 +68,7 @@ mod cu_337 {
     }
 }
 
-mod cu_338 {
+mod cu_176 {
     use super::*;
 
     #[test]
@@ -89,7 +89,7 @@ mod cu_338 {
     }
 }
 
-mod cu_340 {
+mod cu_178 {
     use super::*;
 
     #[test]
@@ -114,7 +114,7 @@ mod cu_340 {
     }
 }
 
-mod cu_341 {
+mod cu_179 {
     use super::*;
 
     #[test]
@@ -168,7 +168,7 @@ mod cu_341 {
     }
 }
 
-mod cu_344 {
+mod cu_182 {
     use super::*;
 
     #[test]
@@ -190,7 +190,7 @@ mod cu_344 {
     }
 }
 
-mod cu_345 {
+mod cu_183 {
     use super::*;
 
     proptest! {
@@ -213,7 +213,7 @@ mod cu_345 {
     }
 }
 
-mod cu_346 {
+mod cu_184 {
     use super::*;
 
     #[test]
@@ -250,7 +250,7 @@ mod cu_346 {
     }
 }
 
-mod cu_347 {
+mod cu_185 {
     use super::*;
 
     #[test]
@@ -275,7 +275,7 @@ mod cu_347 {
     }
 }
 
-mod cu_348 {
+mod cu_186 {
     use super::*;
 
     #[test]
@@ -299,7 +299,7 @@ mod cu_348 {
     }
 }
 
-mod cu_349 {
+mod cu_187 {
     use super::*;
 
     #[test]
@@ -325,7 +325,7 @@ mod cu_349 {
     }
 }
 
-mod cu_350 {
+mod cu_188 {
     use super::*;
 
     #[test]
@@ -345,7 +345,7 @@ mod cu_350 {
     }
 }
 
-mod cu_351 {
+mod cu_189 {
     use super::*;
 
     proptest! {
@@ -377,7 +377,7 @@ mod cu_351 {
     }
 }
 
-mod cu_352 {
+mod cu_190 {
     use super::*;
 
     proptest! {
@@ -404,7 +404,7 @@ mod cu_352 {
     }
 }
 
-mod cu_353 {
+mod cu_191 {
     use super::*;
 
     proptest! {
@@ -420,7 +420,7 @@ mod cu_353 {
     }
 }
 
-mod cu_354 {
+mod cu_192 {
     use super::*;
 
     proptest! {

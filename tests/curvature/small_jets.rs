@@ -56,7 +56,7 @@ fn check(jet: &Jet<Rational, 3>, shape: &ShapeOperator, scaled: &[Surd; 2]) {
     }
 }
 
-mod cu_359 {
+mod cu_197 {
     use super::*;
 
     /// The counts come from another program, by the sign of the determinant and the trace of the form in a basis of the kernel.
@@ -81,7 +81,7 @@ mod cu_359 {
     }
 }
 
-mod cu_351 {
+mod cu_189 {
     use super::*;
 
     #[test]

@@ -21,7 +21,7 @@ fn polynomial(terms: &[([u32; 2], i64)]) -> Multivariate<2> {
     Multivariate::new(terms.iter().map(|(e, c)| (*e, q(*c, 1))))
 }
 
-mod cu_201 {
+mod cu_50 {
     use super::*;
 
     fn trigonometric() -> impl Strategy<Value = Multivariate<5>> {
@@ -73,7 +73,7 @@ mod cu_201 {
     }
 }
 
-mod cu_202 {
+mod cu_51 {
     use super::*;
 
     fn jets_at(patch: &RationalPatch, u: &Rational) -> Result<TangentPlane, SurfaceError> {
@@ -114,7 +114,7 @@ mod cu_202 {
     }
 }
 
-mod cu_203 {
+mod cu_52 {
     use super::*;
 
     proptest! {
@@ -141,7 +141,7 @@ mod cu_203 {
     }
 }
 
-mod cu_204 {
+mod cu_53 {
     use super::*;
 
     #[test]
@@ -157,7 +157,7 @@ mod cu_204 {
     }
 }
 
-mod cu_205 {
+mod cu_54 {
     use super::*;
 
     #[test]
@@ -176,7 +176,7 @@ mod cu_205 {
     }
 }
 
-mod cu_206 {
+mod cu_55 {
     use super::*;
 
     proptest! {
@@ -208,7 +208,7 @@ mod cu_206 {
     }
 }
 
-mod cu_207 {
+mod cu_56 {
     use super::*;
 
     proptest! {
@@ -226,7 +226,7 @@ mod cu_207 {
     }
 }
 
-mod cu_208 {
+mod cu_57 {
     use super::*;
 
     proptest! {
@@ -257,7 +257,7 @@ mod cu_208 {
     }
 }
 
-mod cu_209 {
+mod cu_58 {
     use super::*;
 
     /// σ taken at (0, 0), reached by h.
@@ -322,7 +322,7 @@ mod cu_209 {
     }
 }
 
-mod cu_210 {
+mod cu_59 {
     use super::*;
     use isoracle::curvature::gauss_map::ShapeOperator;
     use isoracle::number::Sign;
@@ -351,7 +351,7 @@ mod cu_210 {
     }
 }
 
-mod cu_211 {
+mod cu_60 {
     use super::*;
 
     proptest! {
@@ -372,7 +372,7 @@ mod cu_211 {
     }
 }
 
-mod cu_212 {
+mod cu_61 {
     use super::*;
 
     proptest! {
@@ -395,7 +395,7 @@ mod cu_212 {
     }
 }
 
-mod cu_213 {
+mod cu_62 {
     use super::*;
 
     /// σ₂⁻¹ = (x, y)/(1 − z) of the stereographic chart, after φ∘σ₁.
@@ -417,7 +417,7 @@ mod cu_213 {
     }
 }
 
-mod cu_214 {
+mod cu_63 {
     use super::*;
 
     proptest! {

@@ -39,7 +39,7 @@ fn is_zero(w: &[Rational; 2]) -> bool {
     w.iter().all(|x| x.is_zero())
 }
 
-mod cu_244 {
+mod cu_91 {
     use super::*;
 
     proptest! {
@@ -67,7 +67,7 @@ mod cu_244 {
     }
 }
 
-mod cu_245 {
+mod cu_92 {
     use super::*;
 
     proptest! {
@@ -89,7 +89,7 @@ mod cu_245 {
     }
 }
 
-mod cu_246 {
+mod cu_93 {
     use super::*;
 
     proptest! {
@@ -111,7 +111,7 @@ mod cu_246 {
     }
 }
 
-mod cu_247 {
+mod cu_94 {
     use super::*;
 
     proptest! {
@@ -139,7 +139,7 @@ mod cu_247 {
     }
 }
 
-mod cu_248 {
+mod cu_95 {
     use super::*;
 
     proptest! {
@@ -169,7 +169,7 @@ fn principal(s: &Jets) -> ([Surd; 2], [[Surd; 2]; 2]) {
     }
 }
 
-mod cu_249 {
+mod cu_96 {
     use super::*;
 
     proptest! {
@@ -191,7 +191,7 @@ mod cu_249 {
     }
 }
 
-mod cu_250 {
+mod cu_97 {
     use super::*;
 
     proptest! {
@@ -218,7 +218,7 @@ mod cu_250 {
     }
 }
 
-mod cu_251 {
+mod cu_98 {
     use super::*;
 
     proptest! {
@@ -252,7 +252,7 @@ mod cu_251 {
     }
 }
 
-mod cu_252 {
+mod cu_99 {
     use super::*;
 
     proptest! {
@@ -289,7 +289,7 @@ mod cu_252 {
     }
 }
 
-mod cu_253 {
+mod cu_100 {
     use super::*;
 
     proptest! {
@@ -307,7 +307,7 @@ mod cu_253 {
     }
 }
 
-mod cu_254 {
+mod cu_101 {
     use super::*;
 
     proptest! {
@@ -326,7 +326,7 @@ mod cu_254 {
     }
 }
 
-mod cu_255 {
+mod cu_102 {
     use super::*;
 
     proptest! {

@@ -40,7 +40,7 @@ fn six() -> [SimplicialComplex; 6] {
     [sphere(2), SimplicialComplex::torus(), projective_plane(), klein_bottle(), double_torus(), icosahedron()]
 }
 
-mod cu_285 {
+mod cu_231 {
     use super::*;
 
     #[test]
@@ -63,7 +63,7 @@ mod cu_285 {
     }
 }
 
-mod cu_286 {
+mod cu_232 {
     use super::*;
 
     fn embedded<const N: usize>(complex: SimplicialComplex, at: Vec<Vector<Rational, N>>) -> bool {
@@ -133,7 +133,7 @@ mod cu_286 {
     }
 }
 
-mod cu_229 {
+mod cu_233 {
     use super::*;
 
     #[test]
@@ -168,7 +168,7 @@ mod cu_229 {
     }
 }
 
-mod cu_287 {
+mod cu_234 {
     use super::*;
 
     #[test]
@@ -196,7 +196,7 @@ mod cu_287 {
     }
 }
 
-mod cu_288 {
+mod cu_235 {
     use super::*;
 
     #[test]
@@ -227,7 +227,7 @@ mod cu_288 {
     }
 }
 
-mod cu_289 {
+mod cu_236 {
     use super::*;
 
     fn families() -> impl Iterator<Item = Family> {
@@ -281,7 +281,7 @@ mod cu_289 {
     }
 }
 
-mod cu_290 {
+mod cu_237 {
     use super::*;
 
     #[test]

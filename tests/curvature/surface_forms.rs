@@ -16,7 +16,7 @@ fn vector(x: [i64; 3]) -> Vector<Rational, 3> {
     Vector(x.map(Rational::from))
 }
 
-mod cu_224 {
+mod cu_72 {
     use super::*;
 
     proptest! {
@@ -34,7 +34,7 @@ mod cu_224 {
     }
 }
 
-mod cu_225 {
+mod cu_73 {
     use super::*;
 
     proptest! {
@@ -52,7 +52,7 @@ mod cu_225 {
     }
 }
 
-mod cu_226 {
+mod cu_74 {
     use super::*;
 
     proptest! {
@@ -69,7 +69,7 @@ mod cu_226 {
     }
 }
 
-mod cu_227 {
+mod cu_75 {
     use super::*;
 
     proptest! {
@@ -83,7 +83,7 @@ mod cu_227 {
     }
 }
 
-mod cu_228 {
+mod cu_76 {
     use super::*;
 
     proptest! {
@@ -109,7 +109,7 @@ mod cu_228 {
     }
 }
 
-mod cu_230 {
+mod cu_77 {
     use super::*;
 
     proptest! {
@@ -126,7 +126,7 @@ mod cu_230 {
     }
 }
 
-mod cu_231 {
+mod cu_78 {
     use super::*;
 
     #[test]
@@ -138,7 +138,7 @@ mod cu_231 {
     }
 }
 
-mod cu_232 {
+mod cu_79 {
     use super::*;
 
     /// Every rational point of the unit sphere but the pole (0, 0, 1), with numbers up to 3.

@@ -29,7 +29,7 @@ fn dn_w(s: &Jets) -> Matrix<Rational, 2, 2> {
     Matrix::from_columns(&[column(u), column(v)])
 }
 
-mod cu_233 {
+mod cu_80 {
     use super::*;
 
     proptest! {
@@ -57,7 +57,7 @@ mod cu_233 {
     }
 }
 
-mod cu_234 {
+mod cu_81 {
     use super::*;
 
     #[test]
@@ -113,7 +113,7 @@ mod cu_234 {
     }
 }
 
-mod cu_235 {
+mod cu_82 {
     use super::*;
 
     proptest! {
@@ -134,7 +134,7 @@ mod cu_235 {
     }
 }
 
-mod cu_236 {
+mod cu_83 {
     use super::*;
 
     proptest! {
@@ -160,7 +160,7 @@ mod cu_236 {
     }
 }
 
-mod cu_237 {
+mod cu_84 {
     use super::*;
 
     proptest! {
@@ -175,7 +175,7 @@ mod cu_237 {
     }
 }
 
-mod cu_238 {
+mod cu_85 {
     use super::*;
 
     proptest! {
@@ -206,7 +206,7 @@ mod cu_238 {
     }
 }
 
-mod cu_239 {
+mod cu_86 {
     use super::*;
 
     proptest! {
@@ -225,7 +225,7 @@ mod cu_239 {
     }
 }
 
-mod cu_240 {
+mod cu_87 {
     use super::*;
 
     #[test]
@@ -243,7 +243,7 @@ mod cu_240 {
     }
 }
 
-mod cu_241 {
+mod cu_88 {
     use super::*;
 
     proptest! {
@@ -266,7 +266,7 @@ mod cu_241 {
     }
 }
 
-mod cu_242 {
+mod cu_89 {
     use super::*;
 
     proptest! {
@@ -286,7 +286,7 @@ mod cu_242 {
     }
 }
 
-mod cu_243 {
+mod cu_90 {
     use super::*;
 
     proptest! {
@@ -312,7 +312,7 @@ mod cu_243 {
     }
 }
 
-mod cu_279 {
+mod cu_225 {
     use super::*;
     use isoracle::linear::determinant3;
 

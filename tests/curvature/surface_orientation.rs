@@ -22,7 +22,7 @@ fn of_word(word: &str) -> Vec<Surface> {
     Gluing::from_words(&[word]).expect("a word").surfaces()
 }
 
-mod cu_280 {
+mod cu_226 {
     use super::*;
 
     #[test]
@@ -61,7 +61,7 @@ mod cu_280 {
     }
 }
 
-mod cu_281 {
+mod cu_227 {
     use super::*;
 
     fn equation() -> Multivariate<4> {
@@ -106,7 +106,7 @@ mod cu_281 {
     }
 }
 
-mod cu_282 {
+mod cu_228 {
     use super::*;
 
     proptest! {
@@ -138,7 +138,7 @@ mod cu_282 {
     }
 }
 
-mod cu_283 {
+mod cu_229 {
     use super::*;
 
     /// (c, s, t) ↦ (−c, −s, −t).

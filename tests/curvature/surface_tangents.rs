@@ -15,7 +15,7 @@ fn vector(x: [i64; 3]) -> Vector<Rational, 3> {
     Vector(x.map(Rational::from))
 }
 
-mod cu_215 {
+mod cu_64 {
     use super::*;
 
     #[test]
@@ -46,7 +46,7 @@ mod cu_215 {
     }
 }
 
-mod cu_216 {
+mod cu_65 {
     use super::*;
 
     proptest! {
@@ -68,7 +68,7 @@ mod cu_216 {
     }
 }
 
-mod cu_217 {
+mod cu_66 {
     use super::*;
 
     proptest! {
@@ -89,7 +89,7 @@ mod cu_217 {
     }
 }
 
-mod cu_218 {
+mod cu_67 {
     use super::*;
 
     proptest! {
@@ -103,7 +103,7 @@ mod cu_218 {
     }
 }
 
-mod cu_219 {
+mod cu_68 {
     use super::*;
 
     proptest! {
@@ -121,7 +121,7 @@ mod cu_219 {
     }
 }
 
-mod cu_220 {
+mod cu_69 {
     use super::*;
 
     proptest! {
@@ -158,7 +158,7 @@ mod cu_220 {
     }
 }
 
-mod cu_221 {
+mod cu_70 {
     use super::*;
 
     proptest! {
@@ -180,7 +180,7 @@ mod cu_221 {
     }
 }
 
-mod cu_223 {
+mod cu_71 {
     use super::*;
 
     proptest! {

@@ -46,7 +46,7 @@ fn digital_line() -> FiniteSpace {
     FiniteSpace::new(7, open).expect("a topology")
 }
 
-mod cu_222 {
+mod cu_219 {
     use super::*;
 
     fn classes(n: u32) -> usize {
@@ -89,7 +89,7 @@ mod cu_222 {
     }
 }
 
-mod cu_274 {
+mod cu_220 {
     use super::*;
 
     #[test]
@@ -145,7 +145,7 @@ mod cu_274 {
     }
 }
 
-mod cu_275 {
+mod cu_221 {
     use super::*;
 
     #[test]
@@ -190,7 +190,7 @@ mod cu_275 {
     }
 }
 
-mod cu_276 {
+mod cu_222 {
     use super::*;
 
     #[test]
@@ -221,7 +221,7 @@ mod cu_276 {
     }
 }
 
-mod cu_277 {
+mod cu_223 {
     use super::*;
 
     #[test]
@@ -256,7 +256,7 @@ mod cu_277 {
     }
 }
 
-mod cu_278 {
+mod cu_224 {
     use super::*;
 
     #[test]
@@ -300,7 +300,7 @@ mod cu_278 {
     }
 }
 
-mod cu_284 {
+mod cu_230 {
     use super::*;
 
     #[test]

@@ -36,7 +36,7 @@ fn skewed() -> Jets {
     jets(&zero, [&vector([1, 0, 0]), &vector([1, 1, 0])], [&up, &up, &up])
 }
 
-mod cu_256 {
+mod cu_103 {
     use super::*;
 
     proptest! {
@@ -53,7 +53,7 @@ mod cu_256 {
     }
 }
 
-mod cu_257 {
+mod cu_104 {
     use super::*;
 
     proptest! {
@@ -66,7 +66,7 @@ mod cu_257 {
     }
 }
 
-mod cu_258 {
+mod cu_105 {
     use super::*;
 
     proptest! {
@@ -95,7 +95,7 @@ mod cu_258 {
     }
 }
 
-mod cu_259 {
+mod cu_106 {
     use super::*;
 
     proptest! {
@@ -122,7 +122,7 @@ mod cu_259 {
     }
 }
 
-mod cu_260 {
+mod cu_107 {
     use super::*;
 
     /// −f, −f, −e, −g.
@@ -161,7 +161,7 @@ mod cu_260 {
     }
 }
 
-mod cu_261 {
+mod cu_108 {
     use super::*;
 
     proptest! {
@@ -179,7 +179,7 @@ mod cu_261 {
     }
 }
 
-mod cu_262 {
+mod cu_109 {
     use super::*;
 
     proptest! {
@@ -199,7 +199,7 @@ mod cu_262 {
     }
 }
 
-mod cu_263 {
+mod cu_110 {
     use super::*;
 
     proptest! {
@@ -218,7 +218,7 @@ mod cu_263 {
     }
 }
 
-mod cu_264 {
+mod cu_111 {
     use super::*;
 
     proptest! {
@@ -250,7 +250,7 @@ mod cu_264 {
     }
 }
 
-mod cu_265 {
+mod cu_112 {
     use super::*;
 
     proptest! {
@@ -268,7 +268,7 @@ mod cu_265 {
     }
 }
 
-mod cu_266 {
+mod cu_113 {
     use super::*;
 
     #[test]
@@ -292,7 +292,7 @@ mod cu_266 {
     }
 }
 
-mod cu_267 {
+mod cu_114 {
     use super::*;
     use isoracle::number::Surd;
 
@@ -319,7 +319,7 @@ mod cu_267 {
     }
 }
 
-mod cu_268 {
+mod cu_115 {
     use super::*;
 
     proptest! {
@@ -344,7 +344,7 @@ mod cu_268 {
     }
 }
 
-mod cu_269 {
+mod cu_116 {
     use super::*;
 
     proptest! {
@@ -367,7 +367,7 @@ fn sine() -> Trigonometric<5> {
     Trigonometric::sin(Angle::First)
 }
 
-mod cu_270 {
+mod cu_117 {
     use super::*;
 
     #[test]
@@ -392,7 +392,7 @@ mod cu_270 {
     }
 }
 
-mod cu_271 {
+mod cu_118 {
     use super::*;
 
     #[test]
@@ -409,7 +409,7 @@ mod cu_271 {
     }
 }
 
-mod cu_272 {
+mod cu_119 {
     use super::*;
 
     #[test]
@@ -426,7 +426,7 @@ mod cu_272 {
     }
 }
 
-mod cu_273 {
+mod cu_120 {
     use super::*;
 
     #[test]
