@@ -5,13 +5,13 @@ use crate::number::{Integer, Rational};
 /// B₃⁽ⁿ⁾(x − k) for the four k = i − 1, i, i + 1, i + 2 whose B-splines are not zero on i ≤ x < i + 1, with t = x − i; n = 0, 1 or 2. SP-1.
 ///
 /// They are (1 − t)³/6, (3t³ − 6t² + 4)/6, (−3t³ + 3t² + 3t + 1)/6, t³/6 and their derivatives. At t = 0 the last is 0: three samples
-/// are seen from an integer, four from elsewhere (SP-124). A third derivative is not offered: it jumps at the knots (SP-140).
+/// are seen from an integer, four from elsewhere (SP-27). A third derivative is not offered: it jumps at the knots (SP-43).
 ///
 /// # Panics
 /// Iff n > 2.
 #[doc(alias = "SP-1")]
-#[doc(alias = "SP-124")]
-#[doc(alias = "SP-140")]
+#[doc(alias = "SP-27")]
+#[doc(alias = "SP-43")]
 pub fn weights(t: &Rational, n: u32) -> [Rational; 4] {
     cubics(n).map(|cubic| cubic.iter().rev().fold(Rational::new(), |sum, c| sum * t + Rational::from(*c)) / 6_u32)
 }

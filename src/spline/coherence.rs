@@ -34,7 +34,7 @@ pub struct Characteristic {
 }
 
 impl Characteristic {
-    /// ∫ K dA in units of π/2, if the theorem is to hold: 4χ − E, or 4(χ − E). SP-402.
+    /// ∫ K dA in units of π/2, if the theorem is to hold: 4χ − E, or 4(χ − E). SP-86.
     pub fn quarter_turns(&self) -> i64 {
         match self.boundary {
             Boundary::Mirror => 4 * self.chi - self.edge_crossings,
@@ -57,7 +57,7 @@ pub struct Coherence {
 }
 
 impl Coherence {
-    /// Around ∫ K dA over the spline's isosurface, by the degree of its Gauss map. SP-403.
+    /// Around ∫ K dA over the spline's isosurface, by the degree of its Gauss map. SP-87.
     pub fn total_curvature(&self) -> Interval {
         quarter_turn() * &Interval::integer(self.spline.quarter_turns())
     }
@@ -77,8 +77,8 @@ impl Coherence {
         quarter_turn() * &Interval::integer(self.trilinear.quarter_turns())
     }
 
-    /// Whether ∫ K dA over the spline's isosurface is 2πχ of the trilinear one, border and all: a question about integers. SP-406.
-    #[doc(alias = "SP-406")]
+    /// Whether ∫ K dA over the spline's isosurface is 2πχ of the trilinear one, border and all: a question about integers. SP-90.
+    #[doc(alias = "SP-90")]
     pub fn is_coherent(&self) -> bool {
         self.spline.quarter_turns() == self.trilinear.quarter_turns()
     }
@@ -211,7 +211,7 @@ pub fn of_trilinear(level: &Level, boundary: Boundary) -> Result<Characteristic,
     Ok(Characteristic { chi: topology(level)?.chi(), edge_crossings, boundary })
 }
 
-/// χ and E of the spline's {f = c}: E by Sturm's theorem on each edge of a cell, χ from it and [`quarter_turns`]. SP-402.
+/// χ and E of the spline's {f = c}: E by Sturm's theorem on each edge of a cell, χ from it and [`quarter_turns`]. SP-86.
 ///
 /// # Errors
 /// As [`quarter_turns`].
@@ -270,11 +270,11 @@ fn roots_along(spline: &Spline<3>, isovalue: &Rational, axis: usize, low: [usize
 }
 
 /// Around Σ K(v) A(v) over the exact mesh of the trilinear {f = c}: K the Gaussian curvature of the spline's level surface through the vertex v,
-/// which is one of {f = c} on the spline only by chance, and A(v) a third of the area of the triangles at v. SP-407.
+/// which is one of {f = c} on the spline only by chance, and A(v) a third of the area of the triangles at v. SP-91.
 ///
 /// # Errors
 /// iff c is a critical value in a cell, unless ties are broken, or ∇f = 0 at a vertex.
-#[doc(alias = "SP-407")]
+#[doc(alias = "SP-91")]
 pub fn mesh_sum(level: &Level, spline: &Spline<3>) -> Result<Interval, CoherenceError> {
     let mesh = extract(level)?;
     let positions: Vec<Vector<Rational, 3>> = mesh.vertices.iter().map(|v| Vector(level.position(v))).collect();

@@ -14,13 +14,13 @@ use crate::number::{Integer, Interval, Rational, Trivariate};
 /// The precision, in bits, of the enclosures of mean curvatures.
 const PRECISION: u32 = 512;
 
-/// The jet at a point of the spline through the samples of a polynomial at the points h·(i, j, k), 0 ≤ i, j, k ≤ n, h = 1/n. SP-408.
+/// The jet at a point of the spline through the samples of a polynomial at the points h·(i, j, k), 0 ≤ i, j, k ≤ n, h = 1/n. SP-92.
 ///
 /// Derivatives are those of the polynomial's own coordinates, not of the grid's.
 ///
 /// # Panics
 /// Iff n = 0.
-#[doc(alias = "SP-408")]
+#[doc(alias = "SP-92")]
 pub fn spline_jet(f: &Trivariate, n: u32, boundary: Boundary, at: &[Rational; 3]) -> Jet<Rational, 3> {
     assert!(n > 0, "a grid has a cell");
     let degrees = f.degrees();
@@ -90,9 +90,9 @@ fn mean_curvature(surface: &LevelSurface) -> Interval {
     root * &Interval::from_rational(&Rational::from(surface.mean_sign.value()), PRECISION)
 }
 
-/// 100·log₂(coarse/fine), rounded down: the observed order of convergence in hundredths, exactly; `None` unless both errors are positive. SP-409.
-#[doc(alias = "SP-409")]
-#[doc(alias = "SP-412")]
+/// 100·log₂(coarse/fine), rounded down: the observed order of convergence in hundredths, exactly; `None` unless both errors are positive. SP-93.
+#[doc(alias = "SP-93")]
+#[doc(alias = "SP-96")]
 pub fn order_in_hundredths(coarse: &Rational, fine: &Rational) -> Option<i64> {
     if coarse.cmp0().is_le() || fine.cmp0().is_le() {
         return None;

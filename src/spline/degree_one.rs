@@ -7,26 +7,26 @@ use crate::number::{Integer, Rational};
 /// A signal g on ℤ.
 pub type OnIntegers<'a> = dyn Fn(&Integer) -> Rational + 'a;
 
-/// f(x) = (1 − t)g\[i] + t·g\[i + 1] with i = ⌊x⌋, t = x − ⌊x⌋. SP-101, SP-102, SP-108.
-#[doc(alias = "SP-101")]
-#[doc(alias = "SP-102")]
-#[doc(alias = "SP-108")]
+/// f(x) = (1 − t)g\[i] + t·g\[i + 1] with i = ⌊x⌋, t = x − ⌊x⌋. SP-5, SP-6, SP-12.
+#[doc(alias = "SP-5")]
+#[doc(alias = "SP-6")]
+#[doc(alias = "SP-12")]
 pub fn interpolate(g: &OnIntegers, x: &Rational) -> Rational {
     let (i, t) = split(x);
     Rational::from(1 - &t) * g(&i) + t * g(&(i + 1))
 }
 
 /// g\[k − 1] − 2g\[k] + g\[k + 1], by how much the slope of the linear interpolant changes at k: it is differentiable there
-/// iff this is 0. SP-103.
-#[doc(alias = "SP-103")]
+/// iff this is 0. SP-7.
+#[doc(alias = "SP-7")]
 pub fn slope_change(g: &OnIntegers, k: &Integer) -> Rational {
     g(&Integer::from(k - 1)) + g(&Integer::from(k + 1)) - g(k) * 2
 }
 
-/// Σ g\[k]B₁(x − k), (9), and the k whose terms are not zero wherever g is not. SP-109, SP-110, SP-111.
-#[doc(alias = "SP-109")]
-#[doc(alias = "SP-110")]
-#[doc(alias = "SP-111")]
+/// Σ g\[k]B₁(x − k), (9), and the k whose terms are not zero wherever g is not. SP-13, SP-14, SP-15.
+#[doc(alias = "SP-13")]
+#[doc(alias = "SP-14")]
+#[doc(alias = "SP-15")]
 pub fn by_hats(g: &OnIntegers, x: &Rational) -> (Rational, Vec<Integer>) {
     let (i, _) = split(x);
     // B₁(x − k) = 0 unless |x − k| < 1.

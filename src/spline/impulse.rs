@@ -14,7 +14,7 @@ pub fn pole() -> Surd {
 
 /// h\[k] = −6z/(1 − z²) · z^|k| = √3 z^|k|: the bounded inverse of [1/6 4/6 1/6]. SP-4.
 #[doc(alias = "SP-4")]
-#[doc(alias = "SP-136")]
+#[doc(alias = "SP-39")]
 pub fn inverse_filter(distance: u32) -> Surd {
     let root = Surd::sqrt(&Rational::from(3)).expect("3 is not negative");
     root * &power(&pole(), distance)
@@ -28,10 +28,10 @@ fn power(x: &Surd, n: u32) -> Surd {
     })
 }
 
-/// c\[k] = Σ h\[k − j] g\[j], the only bounded coefficients whose spline takes the values g on ℤ. SP-4, SP-131.
+/// c\[k] = Σ h\[k − j] g\[j], the only bounded coefficients whose spline takes the values g on ℤ. SP-4, SP-34.
 ///
 /// `None` where k is more than 2³² − 1 away from a sample.
-#[doc(alias = "SP-131")]
+#[doc(alias = "SP-34")]
 pub fn coefficient(samples: &Samples, k: &Integer) -> Option<Surd> {
     samples.iter().try_fold(Surd::integer(0), |sum, (j, g)| {
         let distance = Integer::from(k - j).abs().to_u32()?;

@@ -9,23 +9,23 @@ use super::impulse::{Samples, pole};
 use super::inverse::convergent;
 use crate::number::{Integer, OrderedField, Rational, Ring, Surd};
 
-/// [1/6 4/6 1/6], its middle at 0: B₃ at the integers. SP-126, SP-127.
-#[doc(alias = "SP-126")]
-#[doc(alias = "SP-127")]
+/// [1/6 4/6 1/6], its middle at 0: B₃ at the integers. SP-29, SP-30.
+#[doc(alias = "SP-29")]
+#[doc(alias = "SP-30")]
 pub fn mask() -> Samples {
     [(-1, (1, 6)), (0, (4, 6)), (1, (1, 6))].map(|(k, b)| (Integer::from(k), Rational::from(b))).into()
 }
 
-/// (g ⋆ h)\[k] = Σ g\[i]h\[k − i] of a signal g that is 0 but at finitely many places, and any h. SP-127, SP-130.
-#[doc(alias = "SP-130")]
+/// (g ⋆ h)\[k] = Σ g\[i]h\[k − i] of a signal g that is 0 but at finitely many places, and any h. SP-30, SP-33.
+#[doc(alias = "SP-33")]
 pub fn convolution(g: &Samples, h: impl Fn(&Integer) -> Surd, k: &Integer) -> Surd {
     g.iter().fold(Surd::integer(0), |sum, (i, g)| sum + &(h(&Integer::from(k - i)) * &Surd::from(g.clone())))
 }
 
-/// zᵏ, z = −2 + √3, for any integer k: z^−1 = −2 − √3, the conjugate. SP-134.
+/// zᵏ, z = −2 + √3, for any integer k: z^−1 = −2 − √3, the conjugate. SP-37.
 ///
 /// zᵏ = (−1)ᵏ(P − Q√3) with P + Q√3 = (2 + √3)ᵏ. `None` where |k| > 2³⁰.
-#[doc(alias = "SP-134")]
+#[doc(alias = "SP-37")]
 pub fn power_of_pole(k: &Integer) -> Option<Surd> {
     let n = Integer::from(k.abs_ref()).to_u32().filter(|n| *n <= 1 << 30)?;
     let (p, q) = convergent(2 * n);
@@ -35,16 +35,16 @@ pub fn power_of_pole(k: &Integer) -> Option<Surd> {
     Some(Surd::new(Rational::from(p * sign), Rational::from(q * sign), &Rational::from(3)).expect("3 is not negative"))
 }
 
-/// a·zᵏ + b·z^−k: all coefficients whose spline is 0 at every integer. SP-128.
+/// a·zᵏ + b·z^−k: all coefficients whose spline is 0 at every integer. SP-31.
 ///
 /// `None` where |k| > 2³⁰.
-#[doc(alias = "SP-128")]
+#[doc(alias = "SP-31")]
 pub fn kernel(a: &Surd, b: &Surd, k: &Integer) -> Option<Surd> {
     let [falling, growing] = [power_of_pole(k)?, power_of_pole(&Integer::from(-k))?];
     Some(falling * a + &(growing * b))
 }
 
-/// f(x) = Σ c\[k]B₃(x − k) of any coefficients on ℤ. SP-128.
+/// f(x) = Σ c\[k]B₃(x − k) of any coefficients on ℤ. SP-31.
 pub fn value(c: impl Fn(&Integer) -> Surd, x: &Rational) -> Surd {
     let (i, t) = split(x);
     weights(&t, 0)
@@ -54,8 +54,8 @@ pub fn value(c: impl Fn(&Integer) -> Surd, x: &Rational) -> Surd {
 }
 
 /// c\[k] of the coefficients that solve (12) and have the given c\[0] and c\[1], by c\[k+1] = 6g\[k] − 4c\[k] − c\[k−1] and the same
-/// backward, |k| steps: for every signal g there are such. SP-129.
-#[doc(alias = "SP-129")]
+/// backward, |k| steps: for every signal g there are such. SP-32.
+#[doc(alias = "SP-32")]
 pub fn solution(g: impl Fn(&Integer) -> Rational, [c0, c1]: [&Rational; 2], k: &Integer) -> Rational {
     let (mut from, mut to) = (c0.clone(), c1.clone());
     let next = |g: Rational, from: &Rational, to: &Rational| g * 6 - Rational::from(to * 4) - from;
@@ -80,10 +80,10 @@ pub fn solution(g: impl Fn(&Integer) -> Rational, [c0, c1]: [&Rational; 2], k: &
 }
 
 /// 0 for k ≤ 0, else (−1)ᵏ⁻¹·6Q with P + Q√3 = (2 + √3)ᵏ: 6, −24, 90, …: an inverse of the mask that is 0 to the left and
-/// grows without bound. SP-132.
+/// grows without bound. SP-35.
 ///
 /// `None` where k > 2³⁰.
-#[doc(alias = "SP-132")]
+#[doc(alias = "SP-35")]
 pub fn causal_inverse(k: &Integer) -> Option<Integer> {
     if k.cmp0().is_le() {
         return Some(Integer::new());
@@ -93,25 +93,25 @@ pub fn causal_inverse(k: &Integer) -> Option<Integer> {
     Some(q * if n % 2 == 1 { 6 } else { -6 })
 }
 
-/// −6w/(1 − w²)·w^|k| with the other root w = 1/z: an inverse too, and unbounded. SP-132.
+/// −6w/(1 − w²)·w^|k| with the other root w = 1/z: an inverse too, and unbounded. SP-35.
 ///
 /// `None` where |k| > 2³⁰.
 pub fn growing_inverse(k: &Integer) -> Option<Surd> {
     Some(filter_of(&pole().conjugate())? * &power_of_pole(&-Integer::from(k.abs_ref()))?)
 }
 
-/// −6z/(1 − z²); `None` where z² = 1. SP-133.
-#[doc(alias = "SP-133")]
+/// −6z/(1 − z²); `None` where z² = 1. SP-36.
+#[doc(alias = "SP-36")]
 pub fn filter_of(z: &Surd) -> Option<Surd> {
     let denominator = Surd::integer(1) - &(z.clone() * z);
     Some(z.clone() * &Surd::integer(-6) * &denominator.inverse()?)
 }
 
 /// Σ h\[k]ζ^−k, the Z transform of the inverse filter on the annulus |z| < |ζ| < 1/|z|: √3·(1/(1 − zζ) + 1/(1 − z/ζ) − 1).
-/// SP-135.
+/// SP-38.
 ///
 /// `None` outside of the annulus.
-#[doc(alias = "SP-135")]
+#[doc(alias = "SP-38")]
 pub fn z_transform(zeta: &Rational) -> Option<Surd> {
     let (z, one) = (pole(), Surd::integer(1));
     let size = Surd::from(Rational::from(zeta.abs_ref()));
@@ -125,11 +125,11 @@ pub fn z_transform(zeta: &Rational) -> Option<Surd> {
     Some((both - &one) * &Surd::sqrt(&Rational::from(3)).expect("3 is not negative"))
 }
 
-/// Σ |h\[k]| over |k| ≤ n, which rises to 3: bounded coefficients are at most three times the greatest sample. SP-182.
+/// Σ |h\[k]| over |k| ≤ n, which rises to 3: bounded coefficients are at most three times the greatest sample. SP-78.
 ///
 /// # Panics
 /// Iff n ≥ 2³⁰.
-#[doc(alias = "SP-182")]
+#[doc(alias = "SP-78")]
 pub fn absolute_sum(n: u32) -> Surd {
     // √3(1 + 2(r + … + rⁿ)) = √3(1 + 2(r − rⁿ⁺¹)/(1 − r)), r = 2 − √3.
     let r = -pole();

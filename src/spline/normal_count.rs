@@ -53,7 +53,7 @@ impl Direction {
     }
 }
 
-/// The points of {f = c} with the normal ±p, all of them, in the grid's box or in a period. SP-404.
+/// The points of {f = c} with the normal ±p, all of them, in the grid's box or in a period. SP-88.
 ///
 /// They solve f = c, ⟨q₁, ∇f⟩ = 0, ⟨q₂, ∇f⟩ = 0 with q₁, q₂ across p. A box is discarded where one of the three is proved not to vanish, halved,
 /// or kept where Krawczyk's operator proves that they have exactly one common zero, inside of it, and ∇fᵀ adj(Hess f) ∇f = K|∇f|⁴ has a strict
@@ -62,7 +62,7 @@ impl Direction {
 ///
 /// # Errors
 /// iff some box stays undecided after 36 halvings of each side: a singular point, one with K = 0, or one on a common face of boxes.
-#[doc(alias = "SP-404")]
+#[doc(alias = "SP-88")]
 pub fn normal_points(
     spline: &Spline<3>,
     isovalue: &Rational,
@@ -82,15 +82,15 @@ pub fn normal_points(
     Ok(points)
 }
 
-/// ∫ K dA over {f = c} within the grid's box or within a period, in units of π/2: an integer. SP-402, SP-403.
+/// ∫ K dA over {f = c} within the grid's box or within a period, in units of π/2: an integer. SP-86, SP-87.
 ///
 /// It is the sum of the signs of K over the points whose normal is one of the eight (±p₁, ±p₂, ±p₃), whatever p is. With a mirror boundary it
 /// is 4χ − (crossings of {f = c} with the box's edges), with a periodic one 4χ of the surface in the torus.
 ///
 /// # Errors
 /// As [`normal_points`], for each of four directions p.
-#[doc(alias = "SP-402")]
-#[doc(alias = "SP-403")]
+#[doc(alias = "SP-86")]
+#[doc(alias = "SP-87")]
 pub fn quarter_turns(spline: &Spline<3>, isovalue: &Rational) -> Result<i64, Unresolved> {
     let mut last = Ok(0);
     for p in DIRECTIONS {

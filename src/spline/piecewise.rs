@@ -7,9 +7,9 @@ use thiserror::Error;
 /// A function that is a polynomial on each of (−∞, b₁], (b₁, b₂], …, (b_m, ∞).
 ///
 /// At a breakpoint it takes the value from the left, as the box of (−½, ½] does. Breakpoints at which the polynomial does
-/// not change are left out, so that equal functions are equal records. SP-117.
+/// not change are left out, so that equal functions are equal records. SP-20.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[doc(alias = "SP-117")]
+#[doc(alias = "SP-20")]
 pub struct Piecewise {
     breaks: Vec<Rational>,
     /// One more than breakpoints.
@@ -138,14 +138,14 @@ impl Piecewise {
         Piecewise::normal(self.breaks.clone(), pieces)
     }
 
-    /// f ⋆ B₀ (x) = ∫ f(t)B₀(x − t) dt = F(x + ½) − F(x − ½), F′ = f, for the box B₀ of (−½, ½]. SP-116.
-    #[doc(alias = "SP-116")]
+    /// f ⋆ B₀ (x) = ∫ f(t)B₀(x − t) dt = F(x + ½) − F(x − ½), F′ = f, for the box B₀ of (−½, ½]. SP-19.
+    #[doc(alias = "SP-19")]
     pub fn averaged(&self) -> Piecewise {
         let (integral, half) = (self.antiderivative(), Rational::from((1, 2)));
         integral.shifted(&Rational::from(-&half)) - &integral.shifted(&half)
     }
 
-    /// f ⋆ g (x) = ∫ f(t)g(x − t) dt of two functions that are 0 far to the left. SP-117.
+    /// f ⋆ g (x) = ∫ f(t)g(x − t) dt of two functions that are 0 far to the left. SP-20.
     ///
     /// Each is a sum of truncated powers, and (x − a)ᵐ₊ ⋆ (x − b)ⁿ₊ = m! n!/(m + n + 1)! · (x − a − b)ᵐ⁺ⁿ⁺¹₊ (Euler's beta
     /// integral).
@@ -180,10 +180,10 @@ impl Piecewise {
     }
 
     /// How often f is continuously differentiable: at a breakpoint where the polynomial changes by a(x − b)ⁿ + …, a ≠ 0, it is
-    /// n − 1 times. SP-104, SP-121, SP-147.
-    #[doc(alias = "SP-104")]
-    #[doc(alias = "SP-121")]
-    #[doc(alias = "SP-147")]
+    /// n − 1 times. SP-8, SP-24, SP-50.
+    #[doc(alias = "SP-8")]
+    #[doc(alias = "SP-24")]
+    #[doc(alias = "SP-50")]
     pub fn smoothness(&self) -> Smoothness {
         let order = |i| self.jump(i).coefficients().iter().take_while(|a| a.is_zero()).count();
         match (0..self.breaks.len()).map(order).min() {
@@ -193,8 +193,8 @@ impl Piecewise {
         }
     }
 
-    /// The least closed interval that f is 0 outside of; `None` iff it is not 0 on both sides, or 0 everywhere. SP-123.
-    #[doc(alias = "SP-123")]
+    /// The least closed interval that f is 0 outside of; `None` iff it is not 0 on both sides, or 0 everywhere. SP-26.
+    #[doc(alias = "SP-26")]
     pub fn support(&self) -> Option<(&Rational, &Rational)> {
         let ends_in_zero = self.pieces[0].is_zero() && self.pieces[self.pieces.len() - 1].is_zero();
         ends_in_zero.then_some(self.breaks.first().zip(self.breaks.last())).flatten()

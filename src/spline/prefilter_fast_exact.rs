@@ -9,13 +9,13 @@ use crate::linear::{Matrix, Vector};
 use crate::number::{Integer, Rational};
 use rayon::prelude::*;
 
-/// [`prefilter::interpolate`](super::prefilter::interpolate), the same spline. SP-174.
-#[doc(alias = "SP-174")]
+/// [`prefilter::interpolate`](super::prefilter::interpolate), the same spline. SP-72.
+#[doc(alias = "SP-72")]
 pub fn interpolate<const N: usize>(signal: &Signal<N>) -> Spline<N> {
     IntegerSpline::interpolate(signal).spline()
 }
 
-/// A tensor-product spline whose coefficients are integers over one common denominator. SP-174.
+/// A tensor-product spline whose coefficients are integers over one common denominator. SP-72.
 ///
 /// The denominator is the product of the samples' least common one and of B_(2n−2), mirror, or Bₙ, periodic, for each axis of n
 /// samples ([`inverse`](super::inverse)).
@@ -31,7 +31,7 @@ pub struct IntegerSpline<const N: usize> {
 }
 
 impl<const N: usize> IntegerSpline<N> {
-    /// The only spline of the signal's shape and boundary rule that takes the signal's values. SP-174.
+    /// The only spline of the signal's shape and boundary rule that takes the signal's values. SP-72.
     pub fn interpolate(signal: &Signal<N>) -> IntegerSpline<N> {
         let mut spline = IntegerSpline::new(signal);
         let mut stride = 1;
@@ -81,8 +81,8 @@ impl<const N: usize> IntegerSpline<N> {
         self.derivative(at, [0; N])
     }
 
-    /// f at many points. SP-181.
-    #[doc(alias = "SP-181")]
+    /// f at many points. SP-77.
+    #[doc(alias = "SP-77")]
     pub fn values(&self, points: &[[Rational; N]]) -> Vec<Rational> {
         points.par_iter().map(|at| self.value(at)).collect()
     }
@@ -100,7 +100,7 @@ impl<const N: usize> IntegerSpline<N> {
         }
     }
 
-    /// Jets at many points. SP-181.
+    /// Jets at many points. SP-77.
     pub fn jets(&self, points: &[[Rational; N]]) -> Vec<Jet<Rational, N>> {
         points.par_iter().map(|at| self.jet(at)).collect()
     }

@@ -5,7 +5,7 @@ use super::signal::{Boundary, SignalError, check_shape};
 use crate::number::{OrderedField, Rational, Ring, Surd};
 
 /// The coefficients of a line of samples by the recursive filter of M. Unser, A. Aldroubi and M. Eden (1991), exactly, in
-/// ℚ(√3). SP-172.
+/// ℚ(√3). SP-70.
 ///
 /// c⁺\[k] = 6g\[k] + z·c⁺\[k−1], then c\[k] = z(c\[k+1] − c⁺\[k]). The starting values are the sums of the infinitely many
 /// samples before, by geometric series. Mirror, m = n − 1: c⁺\[0] = 6(g\[0] + zᵐg\[m] + Σ (zᵏ + z^(2m−k))g\[k])/(1 − z²ᵐ) over
@@ -14,7 +14,7 @@ use crate::number::{OrderedField, Rational, Ring, Surd};
 ///
 /// # Errors
 /// `Side` iff there are fewer than two samples.
-#[doc(alias = "SP-172")]
+#[doc(alias = "SP-70")]
 pub fn solve(g: &[Rational], boundary: Boundary) -> Result<Vec<Rational>, SignalError> {
     check_shape(&[g.len()], g.len())?;
     let z = pole();

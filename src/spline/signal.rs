@@ -80,11 +80,11 @@ impl<const N: usize> Signal<N> {
         Ok(Signal { shape, values, boundary })
     }
 
-    /// From binary64, each taken exactly. SP-177.
+    /// From binary64, each taken exactly. SP-75.
     ///
     /// # Errors
     /// As [`Signal::new`], or iff a value is NaN or infinite.
-    #[doc(alias = "SP-177")]
+    #[doc(alias = "SP-75")]
     pub fn of_f64s(shape: [usize; N], values: &[f64], boundary: Boundary) -> Result<Signal<N>, SignalError> {
         check_shape(&shape, values.len())?;
         let exact = |(index, x): (usize, &f64)| from_f64(*x).map_err(|error| SignalError::Sample { index, error });
@@ -130,11 +130,11 @@ impl<const N: usize> Signal<N> {
 
 /// Whether a number of values fills a shape that a signal can have.
 ///
-/// One sample along an axis is refused: its mirrored signal would have the period 2·1 − 2 = 0. SP-176.
+/// One sample along an axis is refused: its mirrored signal would have the period 2·1 − 2 = 0. SP-74.
 ///
 /// # Errors
 /// As [`Signal::new`].
-#[doc(alias = "SP-176")]
+#[doc(alias = "SP-74")]
 pub fn check_shape(shape: &[usize], values: usize) -> Result<(), SignalError> {
     if let Some((axis, &n)) = shape.iter().enumerate().find(|(_, n)| **n < 2) {
         return Err(SignalError::Side { axis, n });

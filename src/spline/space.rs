@@ -30,14 +30,14 @@ pub enum NotASpline {
     },
 }
 
-/// Whether f is in Sₙ: Cⁿ⁻¹, and a polynomial of degree ≤ n on each (k, k + 1]. SP-105, SP-106.
+/// Whether f is in Sₙ: Cⁿ⁻¹, and a polynomial of degree ≤ n on each (k, k + 1]. SP-9, SP-10.
 ///
 /// For n = 0 smoothness asks for nothing, and a function takes its values at integers from the left.
 ///
 /// # Errors
 /// The first reason why it is not.
-#[doc(alias = "SP-105")]
-#[doc(alias = "SP-106")]
+#[doc(alias = "SP-9")]
+#[doc(alias = "SP-10")]
 pub fn membership(f: &Piecewise, n: usize) -> Result<(), NotASpline> {
     if let Some(knot) = f.breaks().iter().find(|knot| !knot.is_integer()) {
         return Err(NotASpline::Knot(knot.clone()));
@@ -52,8 +52,8 @@ pub fn membership(f: &Piecewise, n: usize) -> Result<(), NotASpline> {
     }
 }
 
-/// The function whose integer translates are a basis of Sₙ: Bₙ for odd n, Bₙ(x − ½) for even n. SP-112.
-#[doc(alias = "SP-112")]
+/// The function whose integer translates are a basis of Sₙ: Bₙ for odd n, Bₙ(x − ½) for even n. SP-16.
+#[doc(alias = "SP-16")]
 pub fn generator(n: usize) -> Piecewise {
     basis(n).shifted(&centre(n))
 }
@@ -63,27 +63,27 @@ fn centre(n: usize) -> Rational {
     if n % 2 == 1 { Rational::new() } else { Rational::from((1, 2)) }
 }
 
-/// Σ c\[k]Bₙ(x − k), Bₙ moved by ½ for even n: (10) for finitely many coefficients. SP-112.
+/// Σ c\[k]Bₙ(x − k), Bₙ moved by ½ for even n: (10) for finitely many coefficients. SP-16.
 pub fn combination(c: &BTreeMap<Integer, Rational>, n: usize) -> Piecewise {
     let b = generator(n);
     c.iter().fold(Piecewise::zero(), |sum, (k, c)| sum + &b.shifted(&Rational::from(k)).scaled(c))
 }
 
-/// The coefficient c\[k] of f in (10), the only one that there is. SP-113.
+/// The coefficient c\[k] of f in (10), the only one that there is. SP-17.
 ///
 /// By the dual functionals of de Boor and Fix: with ψ(t) = Π (m − t)/n! over the n knots m inside the support of the k-th
 /// B-spline, c\[k] = Σ (−1)ⁿ⁻ʳ ψ⁽ⁿ⁻ʳ⁾(τ) f⁽ʳ⁾(τ) over r = 0 … n, for any τ within the support.
 ///
 /// # Errors
 /// Iff f is not in Sₙ.
-#[doc(alias = "SP-113")]
+#[doc(alias = "SP-17")]
 pub fn coefficient(f: &Piecewise, n: usize, k: &Integer) -> Result<Rational, NotASpline> {
     membership(f, n)?;
     Ok(coefficient_at(f, n, k, n / 2))
 }
 
 /// [`coefficient`] of a function known to be in Sₙ, from its piece on the interval-th of the n + 1 intervals of the
-/// support. SP-113.
+/// support. SP-17.
 ///
 /// # Panics
 /// Iff there is no such interval.
@@ -108,8 +108,8 @@ pub fn coefficient_at(f: &Piecewise, n: usize, k: &Integer, interval: usize) -> 
 }
 
 /// The n + 1 polynomials that the B-splines of Sₙ are on (0, 1], those to the left first: a basis of all polynomials of
-/// degree ≤ n. SP-180.
-#[doc(alias = "SP-180")]
+/// degree ≤ n. SP-76.
+#[doc(alias = "SP-76")]
 pub fn local_basis(n: usize) -> Vec<Polynomial> {
     let (b, one) = (generator(n), Rational::from(1));
     // The support of the k-th ends at k + centre + (n + 1)/2: from 1, for the first of them, to n + 1.
@@ -117,8 +117,8 @@ pub fn local_basis(n: usize) -> Vec<Polynomial> {
     (1..=n + 1).map(|m| b.shifted(&(Rational::from(m) - &end)).piece_at(&one).clone()).collect()
 }
 
-/// The dimension m + n of Sₙ restricted to [0, m], m ≥ 1; for n = 0, to (0, m]. SP-107.
-#[doc(alias = "SP-107")]
+/// The dimension m + n of Sₙ restricted to [0, m], m ≥ 1; for n = 0, to (0, m]. SP-11.
+#[doc(alias = "SP-11")]
 pub fn dimension(n: usize, m: usize) -> usize {
     m + n
 }

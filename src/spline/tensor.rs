@@ -24,11 +24,11 @@ impl<const N: usize> Spline<N> {
         &self.coefficients
     }
 
-    /// ∂ⁿf at any real point, n\[axis] times along each axis: Σ c\[k] Π B₃⁽ⁿ⁾(x − k) over 4ᴺ terms. SP-3, SP-137.
+    /// ∂ⁿf at any real point, n\[axis] times along each axis: Σ c\[k] Π B₃⁽ⁿ⁾(x − k) over 4ᴺ terms. SP-3, SP-40.
     ///
-    /// In one variable, at an integer: f′(k) = (c\[k+1] − c\[k−1])/2, f″(k) = c\[k−1] − 2c\[k] + c\[k+1] (SP-143).
-    #[doc(alias = "SP-137")]
-    #[doc(alias = "SP-143")]
+    /// In one variable, at an integer: f′(k) = (c\[k+1] − c\[k−1])/2, f″(k) = c\[k−1] − 2c\[k] + c\[k+1] (SP-46).
+    #[doc(alias = "SP-40")]
+    #[doc(alias = "SP-46")]
     ///
     /// # Panics
     /// Iff an order is above 2.
@@ -41,16 +41,16 @@ impl<const N: usize> Spline<N> {
         self.derivative(at, [0; N])
     }
 
-    /// Whether ∇f ≠ 0: there the level set through the point has a tangent plane. SP-145.
-    #[doc(alias = "SP-145")]
+    /// Whether ∇f ≠ 0: there the level set through the point has a tangent plane. SP-48.
+    #[doc(alias = "SP-48")]
     pub fn is_regular(&self, at: &[Rational; N]) -> bool {
         self.jet(at).gradient != Vector::zero()
     }
 
-    /// f, ∇f and the Hessian at any real point; they are continuous (SP-146), and the Hessian is symmetric (SP-159).
-    #[doc(alias = "SP-146")]
-    #[doc(alias = "SP-159")]
-    #[doc(alias = "SP-160")]
+    /// f, ∇f and the Hessian at any real point; they are continuous (SP-49), and the Hessian is symmetric (SP-62).
+    #[doc(alias = "SP-49")]
+    #[doc(alias = "SP-62")]
+    #[doc(alias = "SP-63")]
     pub fn jet(&self, at: &[Rational; N]) -> Jet<Rational, N> {
         let near = Neighbourhood::new(self, at);
         let orders = |axes: &[usize]| std::array::from_fn(|a| axes.iter().filter(|&&axis| axis == a).count() as u32);

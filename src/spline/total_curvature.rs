@@ -43,11 +43,11 @@ pub struct Quadrature {
     pub columns: usize,
 }
 
-/// ∫ K dA over {f = c} within the grid's box, or within a period where the boundary is periodic: every bound is proved. SP-405.
+/// ∫ K dA over {f = c} within the grid's box, or within a period where the boundary is periodic: every bound is proved. SP-89.
 ///
 /// # Errors
 /// iff some box of sides 2^−24 may hold a point with f = c and ∇f = 0.
-#[doc(alias = "SP-405")]
+#[doc(alias = "SP-89")]
 pub fn by_quadrature(spline: &Spline<3>, isovalue: &Rational, effort: Effort) -> Result<Quadrature, Unresolved> {
     let f = EnclosedSpline::new(spline, isovalue);
     let mut sum = Quadrature { integral: F64Interval::integer(0), columns: 0 };

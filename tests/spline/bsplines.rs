@@ -19,7 +19,7 @@ fn reflected(f: &Piecewise) -> impl Fn(&Rational) -> Rational + '_ {
     |x| f.evaluate(&Rational::from(-x))
 }
 
-mod sp_115 {
+mod sp_18 {
     use super::*;
 
     #[test]
@@ -37,7 +37,7 @@ mod sp_115 {
     }
 }
 
-mod sp_116 {
+mod sp_19 {
     use super::*;
 
     #[test]
@@ -82,7 +82,7 @@ mod sp_116 {
     }
 }
 
-mod sp_117 {
+mod sp_20 {
     use super::*;
 
     #[test]
@@ -188,7 +188,7 @@ mod sp_117 {
     }
 }
 
-mod sp_118 {
+mod sp_21 {
     use super::*;
 
     #[test]
@@ -199,7 +199,7 @@ mod sp_118 {
     }
 }
 
-mod sp_119 {
+mod sp_22 {
     use super::*;
 
     #[test]
@@ -210,7 +210,7 @@ mod sp_119 {
     }
 }
 
-mod sp_120 {
+mod sp_23 {
     use super::*;
 
     #[test]
@@ -236,7 +236,7 @@ mod sp_120 {
     }
 }
 
-mod sp_121 {
+mod sp_24 {
     use super::*;
 
     #[test]
@@ -251,7 +251,7 @@ mod sp_121 {
     }
 }
 
-mod sp_122 {
+mod sp_25 {
     use super::*;
 
     proptest! {
@@ -285,7 +285,7 @@ mod sp_122 {
     }
 }
 
-mod sp_123 {
+mod sp_26 {
     use super::*;
 
     #[test]
@@ -301,7 +301,7 @@ mod sp_123 {
     }
 }
 
-mod sp_124 {
+mod sp_27 {
     use super::*;
 
     #[test]

@@ -42,7 +42,7 @@ fn shallow(depth: u32) -> Effort {
     Effort { width: 0.0, depth }
 }
 
-mod sp_401 {
+mod sp_85 {
     use super::*;
 
     #[test]
@@ -63,7 +63,7 @@ mod sp_401 {
     }
 }
 
-mod sp_402 {
+mod sp_86 {
     use super::*;
 
     /// {x = 1/2}-like: samples that depend on one axis.
@@ -129,7 +129,7 @@ mod sp_402 {
     }
 }
 
-mod sp_403 {
+mod sp_87 {
     use super::*;
 
     fn number() -> impl Strategy<Value = i64> {
@@ -164,7 +164,7 @@ mod sp_403 {
     }
 }
 
-mod sp_404 {
+mod sp_88 {
     use super::*;
 
     #[test]
@@ -217,7 +217,7 @@ mod sp_404 {
     }
 }
 
-mod sp_405 {
+mod sp_89 {
     use super::*;
 
     #[test]
@@ -346,7 +346,7 @@ mod sp_405 {
     }
 }
 
-mod sp_406 {
+mod sp_90 {
     use super::*;
 
     #[test]
@@ -399,9 +399,9 @@ mod sp_406 {
 
     #[test]
     fn against_resolution() {
-        snapshot("sp_406__resolution", &table([&[5, 8, 11], &[5, 6], &[6, 8]], 1));
+        snapshot("sp_90__resolution", &table([&[5, 8, 11], &[5, 6], &[6, 8]], 1));
         if is_long() {
-            snapshot("sp_406__resolution_long", &table([&[11, 16, 23, 32], &[8, 11, 16, 23, 32], &[8, 12, 16, 24]], 2));
+            snapshot("sp_90__resolution_long", &table([&[11, 16, 23, 32], &[8, 11, 16, 23, 32], &[8, 12, 16, 24]], 2));
         }
     }
 
@@ -425,12 +425,12 @@ mod sp_406 {
             text += &row("MNI", &crop, q(127, 2), Boundary::Mirror, 1);
         }
         if is_long() {
-            snapshot("sp_406__scan_long", &text);
+            snapshot("sp_90__scan_long", &text);
         }
     }
 }
 
-mod sp_407 {
+mod sp_91 {
     use super::*;
 
     #[test]

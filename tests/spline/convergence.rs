@@ -62,7 +62,7 @@ fn places() -> [(&'static str, [Rational; 3]); 3] {
     ]
 }
 
-mod sp_408 {
+mod sp_92 {
     use super::*;
 
     proptest! {
@@ -93,7 +93,7 @@ mod sp_408 {
     }
 }
 
-mod sp_409 {
+mod sp_93 {
     use super::*;
 
     #[test]
@@ -202,15 +202,15 @@ mod sp_409 {
         let mut settings = insta::Settings::clone_current();
         settings.set_snapshot_path("../../snapshots");
         settings.set_prepend_module_to_snapshot(false);
-        settings.bind(|| insta::assert_snapshot!("sp_409__orders", text(&[16, 32, 64, 128], &[Boundary::Mirror])));
+        settings.bind(|| insta::assert_snapshot!("sp_93__orders", text(&[16, 32, 64, 128], &[Boundary::Mirror])));
         if is_long() {
             let long = text(&[16, 32, 64, 128, 256], &[Boundary::Mirror, Boundary::Periodic]);
-            settings.bind(|| insta::assert_snapshot!("sp_409__orders_long", long));
+            settings.bind(|| insta::assert_snapshot!("sp_93__orders_long", long));
         }
     }
 }
 
-mod sp_410 {
+mod sp_94 {
     use super::*;
 
     #[test]
@@ -239,7 +239,7 @@ mod sp_410 {
     }
 }
 
-mod sp_411 {
+mod sp_95 {
     use super::*;
 
     #[test]
@@ -259,7 +259,7 @@ mod sp_411 {
     }
 }
 
-mod sp_412 {
+mod sp_96 {
     use super::*;
 
     #[test]
@@ -280,7 +280,7 @@ mod sp_412 {
     }
 }
 
-mod sp_413 {
+mod sp_97 {
     use super::*;
 
     #[test]

@@ -19,7 +19,7 @@ fn on_line(a: &Rational, ga: &Rational, gb: &Rational, x: &Rational) -> Rational
     ga + Rational::from(x - a) * Rational::from(gb - ga)
 }
 
-mod sp_101 {
+mod sp_5 {
     use super::*;
 
     #[test]
@@ -44,7 +44,7 @@ mod sp_101 {
     }
 }
 
-mod sp_102 {
+mod sp_6 {
     use super::*;
 
     proptest! {
@@ -64,7 +64,7 @@ mod sp_102 {
     }
 }
 
-mod sp_103 {
+mod sp_7 {
     use super::*;
 
     /// The slopes of f on both sides of k, from values of f.
@@ -113,7 +113,7 @@ fn through(g: &BTreeMap<Integer, Rational>) -> Piecewise {
     Piecewise::new(knots.iter().map(|k| q(*k, 1)).collect(), pieces).expect("increasing")
 }
 
-mod sp_108 {
+mod sp_12 {
     use super::*;
 
     proptest! {
@@ -134,7 +134,7 @@ mod sp_108 {
     }
 }
 
-mod sp_109 {
+mod sp_13 {
     use super::*;
 
     #[test]
@@ -154,7 +154,7 @@ mod sp_109 {
     }
 }
 
-mod sp_110 {
+mod sp_14 {
     use super::*;
 
     #[test]
@@ -178,7 +178,7 @@ mod sp_110 {
     }
 }
 
-mod sp_111 {
+mod sp_15 {
     use super::*;
 
     #[test]

@@ -25,7 +25,7 @@ fn on_line(x: &Rational) -> [Rational; 1] {
     [Rational::from(x + 20)]
 }
 
-mod sp_137 {
+mod sp_40 {
     use super::*;
 
     proptest! {
@@ -43,7 +43,7 @@ mod sp_137 {
     }
 }
 
-mod sp_138 {
+mod sp_41 {
     use super::*;
 
     #[test]
@@ -77,7 +77,7 @@ mod sp_138 {
     }
 }
 
-mod sp_139 {
+mod sp_42 {
     use super::*;
 
     #[test]
@@ -110,7 +110,7 @@ mod sp_139 {
     }
 }
 
-mod sp_140 {
+mod sp_43 {
     use super::*;
 
     #[test]
@@ -123,7 +123,7 @@ mod sp_140 {
     }
 }
 
-mod sp_141 {
+mod sp_44 {
     use super::*;
 
     #[test]
@@ -140,7 +140,7 @@ mod sp_141 {
     }
 }
 
-mod sp_142 {
+mod sp_45 {
     use super::*;
 
     #[test]
@@ -153,7 +153,7 @@ mod sp_142 {
     }
 }
 
-mod sp_143 {
+mod sp_46 {
     use super::*;
 
     proptest! {
@@ -168,7 +168,7 @@ mod sp_143 {
     }
 }
 
-mod sp_144 {
+mod sp_47 {
     use super::*;
 
     #[test]
@@ -190,7 +190,7 @@ fn cone() -> Spline<3> {
     Spline::new(signal([4; 3], &(0..64).map(value).collect::<Vec<_>>(), Boundary::Mirror))
 }
 
-mod sp_145 {
+mod sp_48 {
     use super::*;
 
     #[test]
@@ -215,7 +215,7 @@ mod sp_145 {
     }
 }
 
-mod sp_146 {
+mod sp_49 {
     use super::*;
 
     proptest! {
@@ -289,7 +289,7 @@ fn is_the_derivative(
     Ok(())
 }
 
-mod sp_149 {
+mod sp_52 {
     use super::*;
 
     proptest! {
@@ -318,7 +318,7 @@ mod sp_149 {
     }
 }
 
-mod sp_150 {
+mod sp_53 {
     use super::*;
 
     proptest! {
@@ -330,7 +330,7 @@ mod sp_150 {
     }
 }
 
-mod sp_151 {
+mod sp_54 {
     use super::*;
 
     proptest! {
@@ -342,7 +342,7 @@ mod sp_151 {
     }
 }
 
-mod sp_152 {
+mod sp_55 {
     use super::*;
 
     proptest! {
@@ -354,7 +354,7 @@ mod sp_152 {
     }
 }
 
-mod sp_153 {
+mod sp_56 {
     use super::*;
 
     proptest! {
@@ -366,7 +366,7 @@ mod sp_153 {
     }
 }
 
-mod sp_154 {
+mod sp_57 {
     use super::*;
 
     proptest! {
@@ -378,7 +378,7 @@ mod sp_154 {
     }
 }
 
-mod sp_155 {
+mod sp_58 {
     use super::*;
 
     proptest! {
@@ -390,7 +390,7 @@ mod sp_155 {
     }
 }
 
-mod sp_156 {
+mod sp_59 {
     use super::*;
 
     proptest! {
@@ -402,7 +402,7 @@ mod sp_156 {
     }
 }
 
-mod sp_157 {
+mod sp_60 {
     use super::*;
 
     proptest! {
@@ -414,7 +414,7 @@ mod sp_157 {
     }
 }
 
-mod sp_158 {
+mod sp_61 {
     use super::*;
 
     proptest! {
@@ -426,7 +426,7 @@ mod sp_158 {
     }
 }
 
-mod sp_159 {
+mod sp_62 {
     use super::*;
 
     proptest! {
@@ -447,7 +447,7 @@ mod sp_159 {
     }
 }
 
-mod sp_160 {
+mod sp_63 {
     use super::*;
 
     /// The coefficients, and the samples, that are 1 at the middle of 7 by 7.

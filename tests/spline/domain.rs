@@ -6,7 +6,7 @@ use isoracle::number::{Integer, Rational};
 use isoracle::spline::prefilter;
 use isoracle::spline::signal::{Boundary, Signal, SignalError, check_shape};
 
-mod sp_176 {
+mod sp_74 {
     use super::*;
 
     #[test]
@@ -49,7 +49,7 @@ mod sp_176 {
     }
 }
 
-mod sp_177 {
+mod sp_75 {
     use super::*;
 
     #[test]

@@ -67,7 +67,7 @@ fn samples_of<const N: usize>(c: &[i64], shape: [usize; N], boundary: Boundary) 
     values.iter().map(|g| *g as f64).collect()
 }
 
-mod sp_301 {
+mod sp_79 {
     use super::*;
 
     #[test]
@@ -109,7 +109,7 @@ mod sp_301 {
     }
 }
 
-mod sp_302 {
+mod sp_80 {
     use super::*;
 
     fn assert_enclosed<const N: usize>(samples: &[f64], shape: [usize; N], boundary: Boundary, is_narrow: bool) {
@@ -155,7 +155,7 @@ mod sp_302 {
     }
 }
 
-mod sp_303 {
+mod sp_81 {
     use super::*;
 
     /// Samples that are odd about a plane: coefficients that are 0 there, where rounding leaves any small number.
@@ -271,7 +271,7 @@ mod sp_303 {
     }
 }
 
-mod sp_304 {
+mod sp_82 {
     use super::*;
 
     #[test]

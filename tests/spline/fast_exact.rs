@@ -24,7 +24,7 @@ fn point<const N: usize>() -> impl Strategy<Value = [Rational; N]> {
     prop::collection::vec(coordinate, N).prop_map(|at| at.try_into().expect("N of them"))
 }
 
-mod sp_148 {
+mod sp_51 {
     use super::*;
 
     /// Solves along the axes in the order given.
@@ -57,7 +57,7 @@ mod sp_148 {
     }
 }
 
-mod sp_174 {
+mod sp_72 {
     use super::*;
 
     #[test]
@@ -149,7 +149,7 @@ mod sp_174 {
     }
 }
 
-mod sp_181 {
+mod sp_77 {
     use super::*;
 
     proptest! {

@@ -78,7 +78,7 @@ fn coordinate() -> impl Strategy<Value = Rational> {
     ]
 }
 
-mod sp_305 {
+mod sp_83 {
     use super::*;
 
     proptest! {
@@ -135,7 +135,7 @@ mod sp_305 {
     }
 }
 
-mod sp_306 {
+mod sp_84 {
     use super::*;
 
     fn assert_surfaces(g: &[f64], shape: [usize; 3], boundary: Boundary, points: &[[Rational; 3]]) {

@@ -31,7 +31,7 @@ fn masked(c: impl Fn(i64) -> Surd, k: i64) -> Surd {
     (c(k - 1) + &c(k + 1) + &(c(k) * &Surd::integer(4))) * &Surd::from(q(1, 6))
 }
 
-mod sp_125 {
+mod sp_28 {
     use super::*;
 
     #[test]
@@ -57,7 +57,7 @@ mod sp_125 {
     }
 }
 
-mod sp_126 {
+mod sp_29 {
     use super::*;
 
     #[test]
@@ -80,7 +80,7 @@ mod sp_126 {
     }
 }
 
-mod sp_127 {
+mod sp_30 {
     use super::*;
 
     proptest! {
@@ -111,7 +111,7 @@ mod sp_127 {
     }
 }
 
-mod sp_128 {
+mod sp_31 {
     use super::*;
 
     #[test]
@@ -151,7 +151,7 @@ mod sp_128 {
     }
 }
 
-mod sp_129 {
+mod sp_32 {
     use super::*;
 
     proptest! {
@@ -179,7 +179,7 @@ mod sp_129 {
     }
 }
 
-mod sp_130 {
+mod sp_33 {
     use super::*;
 
     #[test]
@@ -214,7 +214,7 @@ mod sp_130 {
     }
 }
 
-mod sp_131 {
+mod sp_34 {
     use super::*;
 
     proptest! {
@@ -251,7 +251,7 @@ mod sp_131 {
     }
 }
 
-mod sp_132 {
+mod sp_35 {
     use super::*;
 
     #[test]
@@ -285,7 +285,7 @@ mod sp_132 {
     }
 }
 
-mod sp_133 {
+mod sp_36 {
     use super::*;
 
     #[test]
@@ -309,7 +309,7 @@ mod sp_133 {
     }
 }
 
-mod sp_134 {
+mod sp_37 {
     use super::*;
 
     #[test]
@@ -334,7 +334,7 @@ mod sp_134 {
     }
 }
 
-mod sp_135 {
+mod sp_38 {
     use super::*;
 
     #[test]
@@ -367,7 +367,7 @@ mod sp_135 {
     }
 }
 
-mod sp_136 {
+mod sp_39 {
     use super::*;
 
     #[test]
@@ -387,7 +387,7 @@ mod sp_136 {
     }
 }
 
-mod sp_182 {
+mod sp_78 {
     use super::*;
 
     #[test]

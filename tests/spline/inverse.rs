@@ -47,7 +47,7 @@ fn size(x: Surd) -> Surd {
     if x.sign() == Sign::Negative { -x } else { x }
 }
 
-mod sp_166 {
+mod sp_64 {
     use super::*;
 
     #[test]
@@ -78,7 +78,7 @@ mod sp_166 {
     }
 }
 
-mod sp_167 {
+mod sp_65 {
     use super::*;
 
     #[test]
@@ -122,7 +122,7 @@ fn inverts(n: usize, boundary: Boundary) {
     }
 }
 
-mod sp_168 {
+mod sp_66 {
     use super::*;
 
     #[test]
@@ -133,7 +133,7 @@ mod sp_168 {
     }
 }
 
-mod sp_169 {
+mod sp_67 {
     use super::*;
 
     #[test]
@@ -143,7 +143,7 @@ mod sp_169 {
     }
 }
 
-mod sp_170 {
+mod sp_68 {
     use super::*;
 
     #[test]
@@ -184,7 +184,7 @@ mod sp_170 {
     }
 }
 
-mod sp_171 {
+mod sp_69 {
     use super::*;
 
     proptest! {
@@ -208,7 +208,7 @@ mod sp_171 {
     }
 }
 
-mod sp_172 {
+mod sp_70 {
     use super::*;
 
     #[test]
@@ -229,7 +229,7 @@ mod sp_172 {
     }
 }
 
-mod sp_173 {
+mod sp_71 {
     use super::*;
 
     #[test]
@@ -264,7 +264,7 @@ mod sp_173 {
     }
 }
 
-mod sp_175 {
+mod sp_73 {
     use super::*;
 
     #[test]

@@ -21,7 +21,7 @@ fn cut(k: i64, n: usize) -> Piecewise {
     Piecewise::truncated_power(&q(k, 1), n)
 }
 
-mod sp_104 {
+mod sp_8 {
     use super::*;
 
     /// A second derivative that exists everywhere has no jumps where it is made of polynomials: (f′(k + s) − f′(k))/s for
@@ -53,7 +53,7 @@ mod sp_104 {
     }
 }
 
-mod sp_105 {
+mod sp_9 {
     use super::*;
 
     #[test]
@@ -95,7 +95,7 @@ mod sp_105 {
     }
 }
 
-mod sp_106 {
+mod sp_10 {
     use super::*;
 
     #[test]
@@ -120,7 +120,7 @@ mod sp_106 {
     }
 }
 
-mod sp_107 {
+mod sp_11 {
     use super::*;
 
     /// The conditions on the n + 1 coefficients of each of m pieces: at each inner integer the derivatives 0 … n − 1 agree.
@@ -170,7 +170,7 @@ mod sp_107 {
     }
 }
 
-mod sp_112 {
+mod sp_16 {
     use super::*;
 
     #[test]
@@ -198,7 +198,7 @@ mod sp_112 {
     }
 }
 
-mod sp_113 {
+mod sp_17 {
     use super::*;
 
     proptest! {
@@ -235,7 +235,7 @@ mod sp_113 {
     }
 }
 
-mod sp_147 {
+mod sp_50 {
     use super::*;
 
     #[test]
@@ -260,7 +260,7 @@ mod sp_147 {
     }
 }
 
-mod sp_180 {
+mod sp_76 {
     use super::*;
 
     #[test]

@@ -1,8 +1,8 @@
 //! The coefficients of large volumes, correctly rounded: the fast twin of [`interpolate`](super::interpolate).
 //!
 //! What is returned is `nearest_f64` of the exact coefficient, always. Doubled numbers with a running error bound decide nearly every
-//! rounding, for whole blocks of lines at a time (SP-301, SP-302); what they leave in doubt, ties and zeros among it, is worked
-//! out as an integer over a known denominator (SP-303). So the answer depends on no instruction set, only the speed.
+//! rounding, for whole blocks of lines at a time (SP-79, SP-80); what they leave in doubt, ties and zeros among it, is worked
+//! out as an integer over a known denominator (SP-81). So the answer depends on no instruction set, only the speed.
 //!
 //! Time is linear in the volume, but for what is left in doubt: one such coefficient costs a pass over the volume with integers of about
 //! 1.9 bits for each sample of an axis, all together a few such passes. Memory is 24 bytes a sample, a block of up to 32 lines, and 8 bytes and
@@ -72,14 +72,14 @@ pub enum FastError {
     },
 }
 
-/// The coefficients of the interpolant, each the binary64 nearest to the exact one, ties to even; an exact 0 is +0. SP-304.
+/// The coefficients of the interpolant, each the binary64 nearest to the exact one, ties to even; an exact 0 is +0. SP-82.
 ///
 /// Samples with the first axis fastest, 1 to 3 axes, as [`Signal::new`](crate::spline::signal::Signal::new) has them.
 ///
 /// # Errors
 /// `Signal` iff an axis has fewer than 2 samples, or their number is not the product of the shape; `NotFinite` iff a sample is not
 /// finite; `Overflow` iff a rounded coefficient is not.
-#[doc(alias = "SP-304")]
+#[doc(alias = "SP-82")]
 pub fn coefficients<T: Sample, const N: usize>(
     samples: &[T],
     shape: [usize; N],
@@ -88,9 +88,9 @@ pub fn coefficients<T: Sample, const N: usize>(
     Enclosed::new(samples, shape, boundary)?.into_coefficients()
 }
 
-/// Samples with every coefficient of their interpolant enclosed: 2^scale·c within hi + lo ± err. SP-302.
+/// Samples with every coefficient of their interpolant enclosed: 2^scale·c within hi + lo ± err. SP-80.
 #[derive(Debug)]
-#[doc(alias = "SP-302")]
+#[doc(alias = "SP-80")]
 pub struct Enclosed<'a, T, const N: usize> {
     samples: &'a [T],
     shape: [usize; N],

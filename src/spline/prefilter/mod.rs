@@ -8,9 +8,9 @@ use crate::number::{Integer, Rational};
 
 /// The only spline of the signal's shape and boundary rule that takes the signal's values. SP-2.
 ///
-/// One axis after the other, in any order (SP-148), for the tensor product is solved so. `prefilter_fast_exact` is its fast twin.
+/// One axis after the other, in any order (SP-51), for the tensor product is solved so. `prefilter_fast_exact` is its fast twin.
 #[doc(alias = "SP-2")]
-#[doc(alias = "SP-148")]
+#[doc(alias = "SP-51")]
 pub fn interpolate<const N: usize>(signal: &Signal<N>) -> Spline<N> {
     let mut values = signal.values().to_vec();
     let mut stride = 1;

@@ -1,7 +1,7 @@
 //! Doubled numbers hi + lo with a running bound of their error, and the elimination of [1 4 1] in them, many lines at a time.
 //!
 //! u = 2⁻⁵³. What is represented lies within hi + lo ± err; |lo| ≤ u|hi| always, for each operation ends with an exact sum. The
-//! bounds of each operation are proven at SP-302.
+//! bounds of each operation are proven at SP-80.
 
 use crate::spline::signal::Boundary;
 use pulp::{Simd, WithSimd};
@@ -43,8 +43,8 @@ impl Constant {
     }
 }
 
-/// The constants of the elimination of one line of n samples. SP-301.
-#[doc(alias = "SP-301")]
+/// The constants of the elimination of one line of n samples. SP-79.
+#[doc(alias = "SP-79")]
 #[derive(Clone, Debug)]
 pub(super) struct Line {
     boundary: Boundary,
@@ -108,7 +108,7 @@ impl Block {
     }
 }
 
-/// g ↦ gain·2^s·g for the samples in `hi`, with 2^s as a product of two numbers. SP-302.
+/// g ↦ gain·2^s·g for the samples in `hi`, with 2^s as a product of two numbers. SP-80.
 pub(super) struct Scale<'a> {
     pub(super) block: &'a mut Block,
     pub(super) powers: [f64; 2],
@@ -132,7 +132,7 @@ impl WithSimd for Scale<'_> {
     }
 }
 
-/// Solves c\[k−1] + 4c\[k] + c\[k+1] = b\[k] for each column b. SP-301.
+/// Solves c\[k−1] + 4c\[k] + c\[k+1] = b\[k] for each column b. SP-79.
 pub(super) struct Solve<'a> {
     pub(super) block: &'a mut Block,
     pub(super) line: &'a Line,
@@ -270,7 +270,7 @@ impl<S: Simd> Doubled<S> {
     }
 }
 
-/// x·m. SP-302.
+/// x·m. SP-80.
 #[inline(always)]
 fn times<S: Simd>(simd: S, x: Doubled<S>, m: Factor<S>) -> Doubled<S> {
     let (p, e) = two_product(simd, m.hi, x.hi);
@@ -281,7 +281,7 @@ fn times<S: Simd>(simd: S, x: Doubled<S>, m: Factor<S>) -> Doubled<S> {
     Doubled { hi, lo, err: simd.mul_add_e_f64s(m.bound, x.err, own) }
 }
 
-/// x − y. SP-302.
+/// x − y. SP-80.
 #[inline(always)]
 fn minus<S: Simd>(simd: S, x: Doubled<S>, y: Doubled<S>) -> Doubled<S> {
     let (s, e) = two_sum(simd, x.hi, simd.neg_f64s(y.hi));

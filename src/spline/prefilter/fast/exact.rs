@@ -7,8 +7,8 @@ use crate::spline::signal::Boundary;
 /// How many numbers of an intermediate plane are held at once.
 const HELD: usize = 1 << 19;
 
-/// A volume of integers times 2^q, whose coefficients are integers over D times 2^q. SP-303.
-#[doc(alias = "SP-303")]
+/// A volume of integers times 2^q, whose coefficients are integers over D times 2^q. SP-81.
+#[doc(alias = "SP-81")]
 pub(super) struct Exact<'a, T> {
     samples: &'a [T],
     lines: Vec<ExactLine>,
@@ -70,7 +70,7 @@ fn solve(g: &dyn Fn(usize) -> Integer, lines: &[ExactLine], wanted: &[usize], fo
     }
 }
 
-/// A line of n samples: D and the first row of D·6·[1 4 1]⁻¹. SP-303.
+/// A line of n samples: D and the first row of D·6·[1 4 1]⁻¹. SP-81.
 struct ExactLine {
     n: usize,
     boundary: Boundary,

@@ -14,7 +14,7 @@ use thiserror::Error;
 /// The precision of the first enclosures: that of doubled numbers and some more.
 const BITS: u32 = 128;
 
-/// A level surface of the interpolant at a point; every number is the binary64 nearest to the exact one. SP-306.
+/// A level surface of the interpolant at a point; every number is the binary64 nearest to the exact one. SP-84.
 ///
 /// N = +∇f/|∇f|, the principal curvatures k₁ ≥ k₂ are the eigenvalues of −dN, K = k₁k₂, H = (k₁ + k₂)/2: on a sphere
 /// x² + y² + z² = r², H = −1/r.
@@ -48,11 +48,11 @@ pub enum JetError {
 }
 
 impl<T: Sample, const N: usize> Enclosed<'_, T, N> {
-    /// f, ∇f and the Hessian of the exact interpolant at any real points, each number correctly rounded; an exact 0 is +0. SP-305.
+    /// f, ∇f and the Hessian of the exact interpolant at any real points, each number correctly rounded; an exact 0 is +0. SP-83.
     ///
     /// # Errors
     /// `Overflow` for a point iff one of its numbers is not finite.
-    #[doc(alias = "SP-305")]
+    #[doc(alias = "SP-83")]
     pub fn jets(&self, points: &[[Rational; N]]) -> Vec<Result<Jet<f64, N>, JetError>> {
         let answered = self.answered(points, &|jet| rounded_jet(jet, nearest), &|jet| {
             rounded_jet(jet, |x| Some(nearest_f64(x))).expect("a rational is rounded")
@@ -100,11 +100,11 @@ impl<T: Sample, const N: usize> Enclosed<'_, T, N> {
 }
 
 impl<T: Sample> Enclosed<'_, T, 3> {
-    /// The jets with K, H, k₁ and k₂ of the level surfaces through the points, each number correctly rounded. SP-306.
+    /// The jets with K, H, k₁ and k₂ of the level surfaces through the points, each number correctly rounded. SP-84.
     ///
     /// # Errors
     /// `Singular` for a point iff ∇f = 0 there, `Overflow` iff one of its numbers is not finite; the other points are answered.
-    #[doc(alias = "SP-306")]
+    #[doc(alias = "SP-84")]
     pub fn level_surfaces(&self, points: &[[Rational; 3]]) -> Vec<Result<LevelSurface64, JetError>> {
         let answered = self.answered(points, &|jet| enclosed_surface(jet).map(Some), &exact_surface);
         let checked = answered.into_iter().enumerate().map(|(point, surface)| {
@@ -214,7 +214,7 @@ fn exact_surface(jet: &Jet<Rational, 3>) -> Option<LevelSurface64> {
     })
 }
 
-/// The binary64 nearest to a + b. SP-306.
+/// The binary64 nearest to a + b. SP-84.
 ///
 /// The enclosure narrows until its ends round to the same, or to two neighbours: then the exact order of a + b and of the number
 /// half-way decides. It narrows that far, for a number that is not 0 has a width of roundings around it.

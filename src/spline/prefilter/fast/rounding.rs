@@ -25,7 +25,7 @@ impl Scale {
         Scale { back: [back_p, back_q], least: f64::MIN_POSITIVE * p * q }
     }
 
-    /// Whether hi/2^s is nearest to all of (hi + lo ± err)/2^s. SP-302.
+    /// Whether hi/2^s is nearest to all of (hi + lo ± err)/2^s. SP-80.
     ///
     /// Rounding is monotone: if both ends round to hi, so does all between. Above the least normal number dividing by 2^s commutes
     /// with it, where what is 2¹⁰²⁴ in 53 bits is an infinity.
@@ -52,7 +52,7 @@ pub(super) fn nearest_within(lo: &Rational, hi: &Rational) -> Option<f64> {
     (a.to_bits() == b.to_bits()).then_some(a)
 }
 
-/// The binary64 nearest to n/d·2^q, d > 0. SP-303.
+/// The binary64 nearest to n/d·2^q, d > 0. SP-81.
 pub(super) fn nearest_quotient(n: &Integer, d: &Integer, q: i32) -> f64 {
     if n.is_zero() {
         return 0.0;
