@@ -1,10 +1,10 @@
 //! The length of curves: enclosed, and exact where the speed is a polynomial.
 
+use super::circle_polynomial::CirclePolynomial;
 use super::crossing::square_root;
 use super::quadrature::{Goal, Integral, QuadratureError, integral};
 use super::rational_curve::RationalCurve;
 use super::series::Series;
-use super::circle_polynomial::CirclePolynomial;
 use crate::number::{Algebraic, Integer, Interval, Polynomial, Rational, Ring, real_roots};
 
 /// The order of the series for integrals over an interval.

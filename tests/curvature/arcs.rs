@@ -6,9 +6,9 @@ use super::quadrature::is_within;
 use isoracle::curvature::arc_length::{
     antiderivative, arc_length, length_of_turns, parameter_at_length, polygon_length, polynomial_speed,
 };
+use isoracle::curvature::circle_polynomial::CirclePolynomial;
 use isoracle::curvature::quadrature::{Goal, Outcome, QuadratureError};
 use isoracle::curvature::rational_curve::{RationalCurve, SingularParameters};
-use isoracle::curvature::circle_polynomial::CirclePolynomial;
 use isoracle::linear::{Matrix, Vector};
 use isoracle::number::{Algebraic, Interval, Polynomial, Rational, Ring};
 use proptest::prelude::*;
@@ -178,7 +178,8 @@ mod cu_23 {
         let [c, s, r] = CirclePolynomial::<3>::variables();
         let circle = [c * &r, s * &r];
         let velocity = circle.each_ref().map(CirclePolynomial::derivative);
-        let dot = |a: &[CirclePolynomial<3>; 2], b: &[CirclePolynomial<3>; 2]| a[0].clone() * &b[0] + &(a[1].clone() * &b[1]);
+        let dot =
+            |a: &[CirclePolynomial<3>; 2], b: &[CirclePolynomial<3>; 2]| a[0].clone() * &b[0] + &(a[1].clone() * &b[1]);
         assert_eq!(dot(&circle, &velocity), CirclePolynomial::integer(0));
         assert_eq!(dot(&velocity, &velocity), r.clone() * &r);
         assert_eq!(velocity, [-circle[1].clone(), circle[0].clone()]);

@@ -1,11 +1,11 @@
 //! Curves by a parametrisation: regular, closed, periodic, simple (002, 2(a)).
 
 use super::q;
+use isoracle::curvature::circle_polynomial::{CirclePolynomial, least_period};
 use isoracle::curvature::crossing::{Crossings, crossing_polynomial, crossings, share_a_point};
 use isoracle::curvature::rational_curve::{
     Closing, End, Period, RationalCurve, SingularParameters, agreeing_derivatives,
 };
-use isoracle::curvature::circle_polynomial::{CirclePolynomial, least_period};
 use isoracle::linear::Vector;
 use isoracle::number::{Algebraic, Polynomial, Rational, Ring};
 use proptest::prelude::*;

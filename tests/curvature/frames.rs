@@ -2,12 +2,12 @@
 
 use super::curves::{curve, p, parameter, polynomial_curve, rational_circle, rational_curve};
 use super::q;
+use isoracle::curvature::circle_polynomial::CirclePolynomial;
 use isoracle::curvature::curve_printed::{
     circle_arc_length_printed, circle_turns_printed, inverse_radius_squared_printed,
 };
 use isoracle::curvature::frame::{Frame, OsculationError, contact, osculating_circle, quarter_turn, tangent_contact};
 use isoracle::curvature::rational_curve::RationalCurve;
-use isoracle::curvature::circle_polynomial::CirclePolynomial;
 use isoracle::linear::{Matrix, Vector, determinant2};
 use isoracle::number::{OrderedField, Rational, Ring, Sign, Surd};
 use proptest::prelude::*;
@@ -312,8 +312,8 @@ mod cu_43 {
 
 mod cu_44 {
     use super::*;
-    use isoracle::curvature::rational_curve::Period;
     use isoracle::curvature::circle_polynomial::least_period;
+    use isoracle::curvature::rational_curve::Period;
 
     #[test]
     fn the_printed_domain_is_one_turn_for_r_1_only() {

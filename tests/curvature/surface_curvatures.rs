@@ -3,10 +3,10 @@
 use super::q;
 use super::surface_samples::{Jets, change, jets, pair, path, rotation, second, surface};
 use isoracle::curvature::chart::{RationalPatch, composition};
+use isoracle::curvature::gauss_map::{CurveOnSurface, GaussMap, PrincipalDirections, ShapeOperator};
 use isoracle::curvature::implicit_surface;
 use isoracle::curvature::jet::Jet;
 use isoracle::curvature::parametric_surface::{self, FundamentalForms};
-use isoracle::curvature::gauss_map::{CurveOnSurface, GaussMap, PrincipalDirections, ShapeOperator};
 use isoracle::curvature::tangent::TangentPlane;
 use isoracle::curvature::trigonometric::circle_point;
 use isoracle::linear::{Matrix, Vector};

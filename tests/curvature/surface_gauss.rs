@@ -3,9 +3,9 @@
 use super::q;
 use super::surface_samples::{Jets, basis, change, jets, pair, path, surface};
 use isoracle::curvature::chart::{RationalPatch, composition, plane_as_graph};
+use isoracle::curvature::gauss_map::{CurveOnSurface, GaussMap, ShapeOperator};
 use isoracle::curvature::jet::Jet;
 use isoracle::curvature::parametric_surface::{self, FundamentalForms, SurfaceError};
-use isoracle::curvature::gauss_map::{CurveOnSurface, GaussMap, ShapeOperator};
 use isoracle::curvature::surface_printed;
 use isoracle::curvature::tangent::TangentPlane;
 use isoracle::linear::{Matrix, Vector};

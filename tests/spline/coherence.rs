@@ -404,30 +404,6 @@ mod sp_90 {
             snapshot("sp_90__resolution_long", &table([&[11, 16, 23, 32], &[8, 11, 16, 23, 32], &[8, 12, 16, 24]], 2));
         }
     }
-
-    #[cfg(feature = "cli")]
-    #[test]
-    fn a_scan() {
-        use isoracle::format::{Limits, nrrd};
-        let bytes = include_bytes!("../../data/mni152_crop.nrrd");
-        let head = nrrd::read(&bytes[..], &Limits::default()).expect("the crate's own file");
-        let head = Volume::try_from(head).expect("a volume");
-        let crop = head.crop([24; 3], [29; 3]).expect("within the volume");
-        if let Ok(found) = coherence(&level(&crop, q(127, 2)), Boundary::Mirror, shallow(0)) {
-            let exact = std::f64::consts::FRAC_PI_2 * found.spline.quarter_turns() as f64;
-            let integral = found.quadrature.integral;
-            assert!(integral.lo() <= exact + 1e-9 && exact - 1e-9 <= integral.hi(), "{found}");
-        }
-        let sizes: &[usize] = if is_long() { &[6, 12, 18, 24] } else { &[] };
-        let mut text = String::new();
-        for n in sizes {
-            let crop = head.crop([24, 24, 24], [23 + n; 3]).expect("within the volume");
-            text += &row("MNI", &crop, q(127, 2), Boundary::Mirror, 1);
-        }
-        if is_long() {
-            snapshot("sp_90__scan_long", &text);
-        }
-    }
 }
 
 mod sp_91 {

@@ -2,6 +2,7 @@
 
 mod bsplines;
 mod coherence;
+mod coherence_of_a_scan;
 mod convergence;
 mod degree_one;
 mod derivatives;
