@@ -6,7 +6,7 @@ use crate::curvature::implicit_surface::{curvature, gaussian_numerator, mean_num
 use crate::curvature::jet::Jet;
 use crate::linear::{Matrix, Vector};
 use crate::number::binary::nearest_f64;
-use crate::number::{Integer, Interval, Rational, Ring, Surd};
+use crate::number::{Integer, Interval, Rational, Ring, Sign, Surd};
 use crate::spline::basis::{split, weights};
 use std::cmp::Ordering;
 use thiserror::Error;
@@ -204,13 +204,33 @@ fn enclosed_surface(jet: &Jet<Interval, 3>) -> Option<LevelSurface64> {
 /// `None` iff ∇f = 0.
 fn exact_surface(jet: &Jet<Rational, 3>) -> Option<LevelSurface64> {
     let surface = curvature(jet).ok()?;
-    let principal = surface.principal();
-    let (mean, spread) = (principal.mean(), principal.spread());
+    let (mean, spread) = ((surface.mean_sign, &surface.mean_squared), &surface.discriminant());
     Some(LevelSurface64 {
         jet: rounded_jet(jet, |x| Some(nearest_f64(x))).expect("a rational is rounded"),
         gaussian: nearest_f64(&surface.gaussian),
-        mean: nearest_sum(mean, &Surd::integer(0)),
-        principal: [nearest_sum(mean, spread), nearest_sum(mean, &-spread.clone())],
+        mean: nearest_of_roots(mean, (Sign::Zero, spread)),
+        principal: [Sign::Positive, Sign::Negative].map(|sign| nearest_of_roots(mean, (sign, spread))),
+    })
+}
+
+/// The binary64 nearest to s√x + t√y, x and y ≥ 0, each root with its sign. SP-84.
+///
+/// Square factors are only looked for in the radicands where enclosures settle nothing: where the sum is 0, or a tie.
+fn nearest_of_roots((s, x): (Sign, &Rational), (t, y): (Sign, &Rational)) -> f64 {
+    let (s, t) = (if x.is_zero() { Sign::Zero } else { s }, if y.is_zero() { Sign::Zero } else { t });
+    if s == -t && (s == Sign::Zero || x == y) {
+        return 0.0;
+    }
+    let root = |sign: Sign, x: &Rational, bits| {
+        let root = Interval::from_rational(x, bits).sqrt().expect("it is not negative");
+        root * &Interval::integer(sign.value().into())
+    };
+    let enclosure = |bits| nearest(&(root(s, x, bits) + &root(t, y, bits)));
+    enclosure(BITS).or_else(|| enclosure(8 * BITS)).unwrap_or_else(|| {
+        let surd = |sign: Sign, x: &Rational| {
+            Surd::new(Rational::new(), Rational::from(sign.value()), x).expect("it is not negative")
+        };
+        nearest_sum(&surd(s, x), &surd(t, y))
     })
 }
 
