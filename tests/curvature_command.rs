@@ -119,6 +119,23 @@ fn a_mesh_is_painted_by_its_curvature() {
 }
 
 #[test]
+fn the_total_curvature_stands_beside_the_trilinear_one() {
+    let folder = folder();
+    let arguments = ["curvature", "--volume", "ball.npy", "--isovalue", "19/2", "--total"];
+    let (code, out, err) = run(&folder, &arguments, "");
+    assert_eq!((code, err.as_str()), (Some(0), ""));
+    for line in
+        ["χ = 2, edge crossings 0, ∫K dA = 4π\n", "χ = 2, edge crossings 0, 2πχ less corners = 4π\n", "the two agree\n"]
+    {
+        assert!(out.contains(line), "{out}");
+    }
+    let err = refused(&folder, &[&arguments[..5], &["--tie", "below"]].concat(), "");
+    assert!(err.contains("--points"), "{err}");
+    let err = refused(&folder, &["curvature", "--volume", "ball.npy", "--isovalue", "0", "--total"], "");
+    assert!(err.contains("--isovalue: "), "{err}");
+}
+
+#[test]
 fn what_curvature_cannot_use_is_named() {
     let folder = folder();
     let at = ["curvature", "--volume", "ball.npy", "--points", "-"];
