@@ -13,7 +13,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 /// The most samples of a signal whose coefficients are worked out exactly.
-pub const MAX_EXACT_SAMPLES: usize = 1 << 18;
+pub const MAX_EXACT_SAMPLES: usize = 1 << 19;
 
 /// How far apart samples, coefficients and points of `spline.impulse` may be.
 pub const MAX_DISTANCE: u32 = 10_000;

@@ -15,7 +15,7 @@ use isoracle::number::decimal::Digits;
 use isoracle::number::text;
 use isoracle::spline::coherence::{Characteristic, Coherence, CoherenceError, coherence};
 use isoracle::spline::prefilter::fast::Enclosed;
-use isoracle::spline::tensor::Spline;
+use isoracle::spline::prefilter_fast_exact::IntegerSpline;
 use isoracle::spline::total_curvature::Effort;
 use miette::Diagnostic;
 use serde_json::json;
@@ -46,7 +46,7 @@ pub struct Curvature {
     /// c: the isosurface {f = c} that is painted, or whose total curvature is asked for.
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = text::parse, conflicts_with = "points")]
     isovalue: Option<Rational>,
-    /// Compare ∫K dA over the spline's isosurface with 2πχ of the trilinear one, each proved; at most 262,144 samples.
+    /// Compare ∫K dA over the spline's isosurface with 2πχ of the trilinear one, each proved; at most 524,288 samples.
     #[arg(long, requires = "isovalue", conflicts_with = "map")]
     total: bool,
     /// Which curvature the colours stand for: blue is negative, green zero, red positive.
@@ -184,7 +184,7 @@ fn write_total(found: &Coherence) -> io::Result<()> {
 }
 
 /// What `curvature.spline` answers at each point.
-fn write_exact(spline: &Spline<3>, points: &[[Rational; 3]]) -> io::Result<()> {
+fn write_exact(spline: &IntegerSpline<3>, points: &[[Rational; 3]]) -> io::Result<()> {
     let mut out = BufWriter::new(io::stdout().lock());
     for point in points {
         let at = point.each_ref().map(text::exact_text);

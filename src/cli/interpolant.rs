@@ -10,8 +10,8 @@ use isoracle::linear::{Matrix, Vector};
 use isoracle::number::Rational;
 use isoracle::number::binary::{exact_f64, nearest_f64};
 use isoracle::number::text::{self, NumberError};
-use isoracle::spline::prefilter;
 use isoracle::spline::prefilter::fast::{Enclosed, FastError, JetError, LevelSurface64};
+use isoracle::spline::prefilter_fast_exact::{self, IntegerSpline};
 use isoracle::spline::signal::{Boundary, Signal, SignalError, check_shape};
 use isoracle::spline::tensor::Spline;
 use miette::Diagnostic;
@@ -64,7 +64,7 @@ pub enum Failure {
     #[diagnostic(help("a result is beyond the range of binary64; --exact has no such range"))]
     Jet(JetError),
     #[error("--volume: a sample is no binary64 number")]
-    #[diagnostic(help("--exact takes any integers, of at most 262,144 samples"))]
+    #[diagnostic(help("--exact takes any integers, of at most 524,288 samples"))]
     NotBinary64,
     #[error("sample {0} is NaN or infinite")]
     #[diagnostic(help("every sample must be a number"))]
@@ -186,7 +186,7 @@ impl Grid {
             Values::Rationals(values) => values.clone(),
         };
         let shape = self.shape.as_slice().try_into().expect("there are N axes");
-        Ok(prefilter::interpolate(&Signal::new(shape, values, boundary.into()).map_err(Failure::Signal)?))
+        Ok(prefilter_fast_exact::interpolate(&Signal::new(shape, values, boundary.into()).map_err(Failure::Signal)?))
     }
 }
 
@@ -257,11 +257,11 @@ pub fn surfaces(volume: &Enclosed<'_, f64, 3>, points: &[[Rational; 3]]) -> Resu
 }
 
 /// The exact spline of a volume.
-pub fn exact(volume: &Volume, boundary: BoundaryRule) -> Result<Spline<3>, Failure> {
+pub fn exact(volume: &Volume, boundary: BoundaryRule) -> Result<IntegerSpline<3>, Failure> {
     if volume.len() > MAX_EXACT_SAMPLES {
         return Err(Failure::TooManySamples { samples: volume.len() });
     }
     let values = (0..volume.len()).map(|i| volume.sample(i)).collect();
     let signal = Signal::new(volume.shape(), values, boundary.into()).map_err(Failure::Signal)?;
-    Ok(prefilter::interpolate(&signal))
+    Ok(IntegerSpline::interpolate(&signal))
 }

@@ -43,7 +43,7 @@ struct Source {
     /// How the samples go on beyond the grid.
     #[arg(long, value_enum, default_value_t = BoundaryRule::Mirror)]
     boundary: BoundaryRule,
-    /// Rationals; at most 262,144 samples.
+    /// Rationals; at most 524,288 samples.
     #[arg(long)]
     exact: bool,
 }

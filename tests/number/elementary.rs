@@ -23,6 +23,22 @@ mod nu_8 {
     }
 
     #[test]
+    fn a_coarse_exponential_encloses_a_fine_one() {
+        for (n, d) in [(-40, 1), (-7, 3), (0, 1), (1, 1), (5, 7), (19, 2)] {
+            let fine = Interval::from_rational(&q(n, d), 300).exp();
+            let (lo, hi) = fine.bounds().expect("finite");
+            for bits in [8, 20, 53, 120] {
+                let coarse = Interval::from_rational(&q(n, d), bits).exp();
+                assert!(coarse.contains(&lo) && coarse.contains(&hi), "e^({n}/{d}) in {bits} bits");
+            }
+            // e^x·e^(−x) = 1
+            assert!((fine * &Interval::from_rational(&q(-n, d), 300).exp()).contains(&q(1, 1)));
+        }
+        let wide = Interval::between(&q(-1, 1), &q(2, 1), 60).expect("in order").exp();
+        assert!(wide.contains(&q(368, 1000)) && wide.contains(&q(738, 100)) && !wide.contains(&q(739, 100)));
+    }
+
+    #[test]
     fn sines_of_parts_of_the_circle_are_known() {
         let pi = Interval::pi(200);
         let sixth = pi.checked_div(&Interval::integer(6)).expect("6 is not 0");

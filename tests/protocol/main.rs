@@ -94,6 +94,19 @@ fn what_is_not_supported_is_no_error() {
 }
 
 #[test]
+fn a_spline_is_differentiated_at_most_twice_along_an_axis() {
+    let ask = |word: &str| {
+        let input =
+            json!({"values": [1, 2, 5], "shape": [3], "boundary": "mirror", "points": [[0]], "derivatives": [word]});
+        question("spline.evaluate", &input.to_string())
+    };
+    assert!(ask("xx")["out"].is_object());
+    for word in ["xxx", "y", "X", " "] {
+        is_refused(&ask(word), json!(7), "invalid-input", "derivatives[0]: ");
+    }
+}
+
+#[test]
 fn ids_of_any_type_come_back() {
     for id in ["null", "true", "-0", "1.50", "18446744073709551616", "1E400", r#""ü\n""#, r#"[{"b":1,"a":[]}]"#] {
         let answer = ask_one(format!(r#"{{"in":{{}},"op":"hello","id":{id}}}"#));
