@@ -30,7 +30,7 @@ pub fn of_level(jet: &Jet<Rational, 3>) -> Result<SurfaceGeometry, SingularPoint
     let level = implicit_surface::curvature(jet)?;
     let tangents = Axis::ALL.iter().find_map(|&axis| tangent_basis(jet, axis).ok());
     let tangents = tangents.expect("∇f ≠ 0");
-    let mean = level.principal().mean().clone();
+    let mean = level.principal().mean();
     Ok(SurfaceGeometry { tangents, normal: level.unit_normal(), gaussian: level.gaussian, mean })
 }
 
@@ -41,6 +41,6 @@ pub fn of_level(jet: &Jet<Rational, 3>) -> Result<SurfaceGeometry, SingularPoint
 pub fn of_parametrisation(surface: &[Jet<Rational, 2>; 3]) -> Result<SurfaceGeometry, SurfaceError> {
     let curvature = parametric_surface::curvature(surface)?;
     let tangents = [0, 1].map(|i| Vector(surface.each_ref().map(|x| x.gradient[i].clone())));
-    let (normal, mean) = (unit(&curvature.forms.normal_w), curvature.principal().mean().clone());
+    let (normal, mean) = (unit(&curvature.forms.normal_w), curvature.principal().mean());
     Ok(SurfaceGeometry { tangents, normal, gaussian: curvature.gaussian, mean })
 }

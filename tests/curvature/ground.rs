@@ -123,7 +123,7 @@ mod cu_4 {
             if let Some([k1, k2]) = principal.exact() {
                 prop_assert!(k1 >= k2);
                 prop_assert_eq!(k1.clone() * &k2, Surd::from(level.gaussian.clone()));
-                prop_assert_eq!(k1 + &k2, principal.mean().clone() + principal.mean());
+                prop_assert_eq!(k1 + &k2, principal.mean() + &principal.mean());
             }
             let [k1, k2] = principal.enclosure(200);
             prop_assert!((k1.clone() * &k2).contains(&level.gaussian));

@@ -128,7 +128,7 @@ mod cu_199 {
             let level = at_origin(&quadric_with(&a, &b));
             prop_assert_eq!(&level.gaussian, &Rational::from(&a * &b));
             let mean = Rational::from(&a + &b) / 2_u32;
-            prop_assert_eq!(level.principal().mean().clone(), Surd::from(mean));
+            prop_assert_eq!(level.principal().mean(), Surd::from(mean));
         }
     }
 }

@@ -268,7 +268,7 @@ mod cu_185 {
         fn the_trace_is_2_h_and_the_second_invariant_k(jet in regular_jet()) {
             let (shape, level) =
                 (ShapeOperator::new(&jet).expect("regular"), implicit_surface::curvature(&jet).expect("regular"));
-            let mean = level.principal().mean().clone();
+            let mean = level.principal().mean();
             prop_assert_eq!(shape.trace(), mean.clone() + &mean);
             prop_assert_eq!(shape.second_invariant(), level.gaussian);
         }

@@ -123,7 +123,7 @@ pub fn decided<T, const N: usize>(numbers: [&Real; N], settle: impl Fn([[Rationa
 /// Those that are not of some ℚ(√d) come alone, or as k₁ and k₂, where |k₁| > |k₂| iff H > 0; H = 0 would be of every field.
 pub fn largest(numbers: &[Real]) -> usize {
     match numbers.first() {
-        Some(Real::Principal(principal, _)) => usize::from(principal.mean() < &Surd::integer(0)),
+        Some(Real::Principal(principal, _)) => usize::from(principal.mean() < Surd::integer(0)),
         Some(Real::Surd(_) | Real::Normalized { .. }) | None => {
             let size = |x: &Real| match x {
                 Real::Surd(x) if *x < Surd::integer(0) => -x.clone(),
