@@ -9,7 +9,7 @@ use isoracle::answer::spline::MAX_EXACT_SAMPLES;
 use isoracle::curvature::normalize::SlopeError;
 use isoracle::isosurface::cell::Tie;
 use isoracle::isosurface::fast;
-use isoracle::isosurface::volume::{DegenerateCell, Level};
+use isoracle::isosurface::volume::Level;
 use isoracle::number::Rational;
 use isoracle::number::decimal::Digits;
 use isoracle::number::text;
@@ -73,11 +73,6 @@ Examples:
 #[derive(Debug, Error, Diagnostic)]
 enum Failure {
     #[error("--isovalue: {0}")]
-    #[diagnostic(help(
-        "the topology of the isosurface is not defined there; `--tie below` takes an isovalue smaller by an infinitesimal"
-    ))]
-    Degenerate(DegenerateCell),
-    #[error("--isovalue: {0}")]
     #[diagnostic(help("the isovalue must be no critical value of either interpolant, nor too near to one"))]
     Total(CoherenceError),
     #[error("--lambda: {0}")]
@@ -89,13 +84,13 @@ impl Curvature {
     pub fn run(self) -> miette::Result<ExitCode> {
         let spinner = progress::spinner(format!("reading {}", self.volume.display()));
         let volume = input::volume(&self.volume)?;
+        let tie = self.tie.map_or(Tie::Degenerate, Tie::from);
         if let (true, Some(isovalue)) = (self.total, &self.isovalue) {
             if volume.len() > MAX_EXACT_SAMPLES {
                 return Err(interpolant::Failure::TooManySamples { samples: volume.len() }.into());
             }
             spinner.set_message("integrating");
-            let level =
-                Level { volume: &volume, isovalue: isovalue.clone(), tie: self.tie.map_or(Tie::Degenerate, Tie::from) };
+            let level = Level { volume: &volume, isovalue: isovalue.clone(), tie };
             let effort = Effort { width: 1.0 / 16.0, depth: 4 };
             let found = coherence(&level, self.boundary.into(), effort).map_err(Failure::Total)?;
             spinner.finish_and_clear();
@@ -106,10 +101,9 @@ impl Curvature {
                 let error = SlopeError(slope.clone());
                 return Err(Failure::Slope(error).into());
             }
-            let tie = self.tie.map_or(Tie::Degenerate, Tie::from);
             let level = Level { volume: &volume, isovalue: isovalue.clone(), tie };
             spinner.set_message("meshing");
-            let mesh = fast::extract(&level).map_err(Failure::Degenerate)?;
+            let mesh = fast::extract(&level).map_err(input::CriticalIsovalue)?;
             spinner.set_message("working out curvatures");
             let samples = volume.binary64s().ok_or(interpolant::Failure::NotBinary64)?;
             let enclosed =

@@ -4,7 +4,7 @@ use clap::ValueEnum;
 use isoracle::answer::value::InvalidField;
 use isoracle::answer::volume;
 use isoracle::isosurface::cell::Tie;
-use isoracle::isosurface::volume::Volume;
+use isoracle::isosurface::volume::{DegenerateCell, Volume};
 use miette::Diagnostic;
 use std::path::Path;
 use thiserror::Error;
@@ -20,6 +20,14 @@ impl From<TieRule> for Tie {
         Tie::Below
     }
 }
+
+/// The isovalue is a critical value of the trilinear interpolant.
+#[derive(Debug, Error, Diagnostic)]
+#[error("--isovalue: {0}")]
+#[diagnostic(help(
+    "the topology of the isosurface is not defined there; `--tie below` takes an isovalue smaller by an infinitesimal"
+))]
+pub struct CriticalIsovalue(pub DegenerateCell);
 
 /// The file after `--volume` cannot be used.
 #[derive(Debug, Error, Diagnostic)]

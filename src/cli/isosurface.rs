@@ -6,7 +6,7 @@ use isoracle::answer::mesh::record;
 use isoracle::format::{self, FormatError};
 use isoracle::isosurface::cell::Tie;
 use isoracle::isosurface::fast::{self, Mismatch};
-use isoracle::isosurface::volume::{DegenerateCell, Level};
+use isoracle::isosurface::volume::Level;
 use isoracle::number::Rational;
 use isoracle::number::text;
 use miette::Diagnostic;
@@ -45,11 +45,6 @@ Examples:
 
 #[derive(Debug, Error, Diagnostic)]
 enum Failure {
-    #[error("--isovalue: {0}")]
-    #[diagnostic(help(
-        "the topology of the isosurface is not defined there; `--tie below` takes an isovalue smaller by an infinitesimal"
-    ))]
-    Degenerate(DegenerateCell),
     #[error("audit: {0}")]
     #[diagnostic(help("nothing was written; a mesh that cannot be trusted is worse than none"))]
     Audit(Mismatch),
@@ -67,7 +62,7 @@ impl Isosurface {
         let level = Level { volume: &volume, isovalue: self.isovalue, tie };
         let cells: usize = volume.shape().iter().map(|n| n - 1).product();
         spinner.set_message(format!("meshing {cells} cells"));
-        let mesh = fast::extract(&level).map_err(Failure::Degenerate)?;
+        let mesh = fast::extract(&level).map_err(input::CriticalIsovalue)?;
         if self.audit > 0 {
             spinner.set_message("auditing".to_owned());
             let audited = fast::audit(&level, self.audit, mesh.triangles.len() as u64).map_err(Failure::Audit)?;
